@@ -1,0 +1,28 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace asterism {
+
+/// What a caller may want to show a person. One line: *where: found ...; expected ...*.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Unreadable or invalid input.  where: file and place in it (JSON pointer or line).
+class InputError : public Error {
+ public:
+  using Error::Error;
+  InputError(const std::string& where, const std::string& found, const std::string& expected)
+      : Error(where + ": found " + found + "; expected " + expected) {}
+};
+
+/// The solver failed. Not for its answer "unknown", which is Verdict::undecided.
+class SolverError : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace asterism

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/star.hpp"
+
+namespace asterism {
+
+/// Pose of the place reached in the frame of the place left.       [BMK10, §7.1] [DESIGN §2]
+struct Displacement {
+  double x_m = 0;                      ///< +x ahead
+  double y_m = 0;                      ///< +y left
+  double heading_rad = 0;              ///< counter-clockwise
+  std::array<double, 9> covariance{};  ///< row by row; m, m, rad
+};
+
+/// A gateway as measured, in its visit's frame.
+struct MeasuredGateway {
+  std::string arm;  ///< name in the visit's star, "a+"
+  double x_m = 0;
+  double y_m = 0;
+  double heading_rad = 0;  ///< outward
+  double width_m = 0;
+};
+
+/// One stay at a place: the star seen, the arm entered by, the arm left by.        [DESIGN §2]
+/// The arm entered by leads *back*, so the robot arrived facing the opposite arm.
+struct Visit {
+  Star star;
+  std::optional<std::size_t> entered_by = {};  ///< arm of `star` with a gateway
+  std::optional<std::size_t> left_by = {};     ///< arm of `star` with a gateway
+
+  // What follows is carried along; no map depends on it.
+  std::optional<Displacement> displacement = {};
+  std::optional<std::array<long long, 2>> scans = {};  ///< first, last
+  std::optional<std::array<double, 2>> stamps_s = {};  ///< in, out
+  std::vector<MeasuredGateway> gateways = {};
+  std::optional<std::string> lpm = {};         ///< file of the place's map, relative to the trace
+  std::optional<std::string> true_place = {};  ///< ground truth, for tests
+  std::string extensions = "{}";               ///< the keys that start with x_, a JSON object
+};
+
+/// The sequence of visits.
+///
+/// Readers guarantee: at least one visit; entered_by in all but the first; left_by in all but the
+/// last; these arms have gateways.
+struct Trace {
+  std::string name;
+  std::vector<Visit> visits;
+  std::string extensions = "{}";  ///< the keys that start with x_, a JSON object
+};
+
+/// @throws std::invalid_argument "/visits/3/left_by: found ...; expected ..." if a guarantee above
+///         does not hold
+void require_valid(const Trace& trace);
+
+/// The same drive walked backwards: visits in reverse order, entered and left swapped. Measured
+/// extras are dropped, since they belong to the forward drive.
+Trace reversed(const Trace& trace);
+
+}  // namespace asterism

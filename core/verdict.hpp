@@ -1,0 +1,8 @@
+#pragma once
+
+namespace asterism {
+
+/// An answer, never an error. Undecided (time, memory) refutes nothing.       [DESIGN §8]
+enum class Verdict { consistent, inconsistent, undecided };
+
+}  // namespace asterism
