@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/topological_map.hpp"
+
+namespace asterism {
+
+/// What was asked of a run, as recorded in its maps file.
+struct MapOptions {
+  bool planar = false;
+  std::string check = "native";              ///< "native", "solver" or "both"       [DESIGN §8]
+  std::string axioms = "shipped";            ///< or the directory they were read from
+  std::vector<std::string> optional_axioms;  ///< names, switched on
+  std::vector<std::string> preference{"path", "place"};  ///< extents to minimise, in order
+  double certify_s = 10;                                 ///< seconds for certification; 0: none
+  std::optional<std::uint64_t> max_hypotheses;           ///< live, on one level
+  std::optional<double> time_limit_s;
+  bool all = false;  ///< `maps` holds every hypothesis, not the minimal models alone
+};
+
+/// Everything a run found out: the content of a maps file.                          [DESIGN §9]
+struct MapReport {
+  struct Minimal {
+    std::size_t paths = 0;
+    std::size_t places = 0;
+    std::size_t count = 0;
+    bool certified = false;
+  };
+
+  std::string trace;  ///< its name
+  MapOptions options;
+  std::optional<std::uint64_t> consistent;              ///< absent: not listed
+  std::optional<std::vector<std::uint64_t>> per_visit;  ///< hypotheses after visit k
+  bool complete = true;
+  std::optional<std::string> stopped_by;  ///< which limit, where not complete
+  std::optional<Minimal> minimal;         ///< absent: nothing is consistent
+  std::vector<TopologicalMap> maps;       ///< sorted by (visits, entered)
+};
+
+}  // namespace asterism
