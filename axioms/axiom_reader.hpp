@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "axioms/axiom_set.hpp"
+#include "axioms/sexpr.hpp"
+
+namespace asterism {
+
+/// Turns SMT-LIB 2 files into an axiom set. Declarations may stand in any file, in any order.
+///
+///     (declare-sort S 0) (declare-const c S) (declare-fun f (S ...) S)
+///     (assert (! (forall ((x S) ...) (=> PREMISE CONCLUSION)) :named name))
+///     (set-info :minimise (path place))
+///
+/// PREMISE: a conjunction of atoms, equalities and their negations. CONCLUSION: any of and, or,
+/// not,
+/// =, atoms, true, false. The comment above an assertion gives name and source in its first line,
+/// then words, then, indented, the formula.
+class AxiomReader {
+ public:
+  /// @throws InputError with file and line
+  AxiomSet read(const std::map<std::string, std::string>& files);
+
+ private:
+  [[noreturn]] void fail(const SExpr& at, const std::string& expected) const;
+
+  void declare(const SExpr& form);
+  void declare_function(const SExpr& name, const SExpr& arguments, const SExpr& result);
+  void require_sort(const SExpr& sort) const;
+  void set_preference(const SExpr& form);
+  Axiom assertion(const SExpr& form) const;
+  void document(Axiom& axiom, const SExpr& form) const;
+  void require_safe(const Axiom& axiom, const SExpr& form) const;
+  Formula formula(const SExpr& form, const Axiom& axiom) const;
+  Term term(const SExpr& form, const Axiom& axiom) const;
+  std::string sort_of(const Term& term, const Axiom& axiom) const;
+
+  AxiomSet set_;
+  std::string file_;  ///< being read
+};
+
+}  // namespace asterism

@@ -1,0 +1,112 @@
+#include "axioms/axiom_set.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "axioms/axiom_reader.hpp"
+#include "core/error.hpp"
+
+namespace asterism {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  if (!stream) throw InputError(file.string(), "an unreadable file", "axioms in SMT-LIB 2");
+  return text;
+}
+
+std::string optional_file(const std::string& name) { return "optional/" + name + ".smt2"; }
+
+void add_optional(std::map<std::string, std::string>& files, std::span<const std::string> names,
+                  const std::string& folder) {
+  for (const std::string& name : names) {
+    const fs::path own = fs::path(folder) / optional_file(name);
+    const auto built_in = AxiomSet::built_in_files().find(optional_file(name));
+    const bool is_word = std::all_of(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+    if (is_word && !folder.empty() && fs::is_regular_file(own)) {
+      files[own.string()] = contents(own);
+    } else if (built_in != AxiomSet::built_in_files().end()) {
+      files[built_in->first] = built_in->second;
+    } else {
+      std::string known;
+      for (const std::string& other : AxiomSet::optional_names())
+        known += (known.empty() ? "" : ", ") + other;
+      throw InputError("optional axiom", "\"" + name + "\"", "one of " + known);
+    }
+  }
+}
+
+/// What an axiom says, without its name, place and comment.
+bool same_statement(const Axiom& a, const Axiom& b) {
+  const auto sorts = [](const Axiom& axiom) {
+    std::vector<std::string> result;
+    for (const auto& variable : axiom.variables) result.push_back(variable.sort);
+    return result;
+  };
+  return a.name == b.name && sorts(a) == sorts(b) && a.premise == b.premise &&
+         a.conclusion == b.conclusion;
+}
+
+}  // namespace
+
+AxiomSet AxiomSet::parse(const std::map<std::string, std::string>& files) {
+  return AxiomReader().read(files);
+}
+
+AxiomSet AxiomSet::shipped(std::span<const std::string> optional) {
+  std::map<std::string, std::string> files;
+  for (const auto& [name, text] : built_in_files())
+    if (!name.starts_with("optional/")) files[name] = text;
+  add_optional(files, optional, "");
+  return parse(files);
+}
+
+AxiomSet AxiomSet::read(const std::string& folder, std::span<const std::string> optional) {
+  std::error_code error;
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == ".smt2" && entry.is_regular_file())
+      files[entry.path().string()] = contents(entry.path());
+  if (error) throw InputError(folder, error.message(), "a folder of axiom files");
+  if (files.empty()) throw InputError(folder, "no *.smt2", "a folder of axiom files");
+  add_optional(files, optional, folder);
+  return parse(files);
+}
+
+std::vector<std::string> AxiomSet::optional_names() {
+  std::vector<std::string> result;
+  for (const auto& [name, text] : built_in_files())
+    if (name.starts_with("optional/")) result.push_back(fs::path(name).stem().string());
+  return result;
+}
+
+bool AxiomSet::contains(std::string_view axiom) const {
+  return std::any_of(axioms_.begin(), axioms_.end(),
+                     [&](const Axiom& other) { return other.name == axiom; });
+}
+
+bool AxiomSet::has_unique_names(const std::string& sort) const {
+  return std::none_of(functions_.begin(), functions_.end(), [&](const auto& entry) {
+    return entry.second.result == sort && !entry.second.arguments.empty();
+  });
+}
+
+bool AxiomSet::is_shipped() const {
+  std::vector<std::string> optional;
+  for (const std::string& name : optional_names())
+    if (contains(name)) optional.push_back(name);
+  const AxiomSet ours = shipped(optional);
+  if (functions_ != ours.functions_ || axioms_.size() != ours.axioms_.size()) return false;
+  return std::all_of(axioms_.begin(), axioms_.end(), [&](const Axiom& axiom) {
+    return std::any_of(ours.axioms_.begin(), ours.axioms_.end(),
+                       [&](const Axiom& other) { return same_statement(axiom, other); });
+  });
+}
+
+}  // namespace asterism

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asterism {
+
+/// A term of an axiom: a variable, a constant, or a function of one term.
+struct Term {
+  enum class Kind { variable, constant, application };
+  Kind kind = Kind::constant;
+  std::size_t variable = 0;    ///< position among the axiom's variables
+  std::string symbol;          ///< of a constant or function
+  std::vector<Term> argument;  ///< one, of an application
+
+  friend bool operator==(const Term&, const Term&) = default;
+};
+
+/// A formula of an axiom, without quantifiers.
+struct Formula {
+  enum class Kind { truth, falsity, relation, equality, negation, conjunction, disjunction };
+  Kind kind = Kind::truth;
+  std::string relation;
+  std::vector<Term> terms;     ///< of a relation, or the two sides of an equality
+  std::vector<Formula> parts;  ///< of a negation (one), conjunction or disjunction
+
+  friend bool operator==(const Formula&, const Formula&) = default;
+};
+
+/// ∀ variables. premise → conclusion, every variable standing by itself in a relation of the
+/// premise that is not negated.
+struct Axiom {
+  struct Variable {
+    std::string name;
+    std::string sort;
+    friend bool operator==(const Variable&, const Variable&) = default;
+  };
+
+  std::string name;
+  std::string source;   ///< "[BMK10, (8)] [RK04]"
+  std::string words;    ///< one sentence
+  std::string formula;  ///< as written in the comment, for people
+  std::string file;
+  std::size_t line = 0;
+  bool by_signature = false;  ///< said by a declaration, not by an assertion
+
+  std::vector<Variable> variables;
+  std::vector<Formula> premise;  ///< all of these
+  Formula conclusion;
+};
+
+/// Axioms and preference, as read from files.                               [DESIGN §5, §6]
+class AxiomSet {
+ public:
+  struct Function {
+    std::vector<std::string> arguments;  ///< sorts
+    std::string result;                  ///< sort; "Bool" for a relation
+    friend bool operator==(const Function&, const Function&) = default;
+  };
+
+  /// Those built in, with the named optional ones switched on.
+  /// @throws InputError if there is no optional axiom of that name
+  static AxiomSet shipped(std::span<const std::string> optional = {});
+  /// All *.smt2 files of a folder, with the named ones of its folder `optional`, or of the built-in
+  /// ones where it has none.
+  /// @throws InputError with file and line
+  static AxiomSet read(const std::string& folder, std::span<const std::string> optional = {});
+  /// From texts, by file name.  @throws InputError with file and line
+  static AxiomSet parse(const std::map<std::string, std::string>& files);
+
+  /// Names of the optional axioms built in.
+  static std::vector<std::string> optional_names();
+  /// The files built in, by name ("causal.smt2", "optional/one_segment.smt2").
+  static const std::map<std::string, std::string>& built_in_files();
+
+  /// In the order of files and lines; those said by the signature among them.
+  const std::vector<Axiom>& axioms() const { return axioms_; }
+  const std::vector<std::string>& sorts() const { return sorts_; }
+  const std::map<std::string, Function>& functions() const { return functions_; }
+  /// Extents to minimise, the first before the second: "path", "place", "segment".
+  const std::vector<std::string>& preference() const { return preference_; }
+
+  bool contains(std::string_view axiom) const;
+  /// Whether dstates, actions, views, which are named apart, are what this sort holds: no function
+  /// makes them.
+  bool has_unique_names(const std::string& sort) const;
+  /// Whether these are the shipped axioms and optional ones, whatever the order and the comments:
+  /// the native engine knows those and no others. The preference may differ.
+  bool is_shipped() const;
+
+ private:
+  std::vector<Axiom> axioms_;
+  std::vector<std::string> sorts_;
+  std::map<std::string, Function> functions_;
+  std::vector<std::string> preference_;
+
+  friend class AxiomReader;
+};
+
+}  // namespace asterism

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asterism {
+
+/// A parsed s-expression: a symbol or a list, with where it stands and the comment just above it.
+struct SExpr {
+  std::string symbol;  ///< empty for a list
+  std::vector<SExpr> list;
+  std::size_t line = 0;  ///< from 1
+  std::string comment;   ///< lines of the comment that ends on the line above, without ';'
+
+  bool is_list() const { return symbol.empty(); }
+  bool is(std::string_view name) const { return symbol == name; }
+  /// A list that begins with this symbol.
+  bool calls(std::string_view name) const { return !list.empty() && list.front().is(name); }
+  std::string text() const;
+};
+
+/// Reads the SMT-LIB 2 concrete syntax, as far as axiom files need it.
+/// @throws InputError with file and line
+std::vector<SExpr> parse_sexprs(std::string_view text, const std::string& file);
+
+}  // namespace asterism

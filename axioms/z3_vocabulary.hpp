@@ -1,0 +1,34 @@
+#pragma once
+
+#include <z3++.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "axioms/grounder.hpp"
+
+namespace asterism {
+
+/// Ground atoms and instances as Z3 expressions.
+class Z3Vocabulary {
+ public:
+  Z3Vocabulary(z3::context& context, Grounder& grounder);
+
+  z3::expr term(Grounder::TermId id);
+  z3::expr atom(const Grounder::GroundAtom& atom);
+  /// premise → conclusion; equalities between constants named apart are decided.
+  z3::expr instance(const Grounder::Instance& instance);
+
+ private:
+  z3::expr formula(const Formula& formula, const Grounder::Instance& instance);
+  z3::expr equality(Grounder::TermId a, Grounder::TermId b);
+
+  z3::context& context_;
+  Grounder& grounder_;
+  std::map<std::string, z3::func_decl> functions_;
+  std::vector<z3::func_decl> relations_;
+  std::vector<z3::expr> terms_;
+};
+
+}  // namespace asterism

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "core/topological_map.hpp"
+#include "core/trace.hpp"
+
+namespace asterism {
+
+/// Number of an arm in an ArmTable.
+using ArmIndex = std::uint32_t;
+
+/// Names every dstate there can be: arm i of the place first seen at visit k.
+///
+/// The arms of all visits' stars, numbered in a row. A hypothesis is then a naming: for each visit,
+/// the arm the robot came in by, which is an arm of the visit's own star if the place is new.
+class ArmTable {
+ public:
+  /// @throws std::invalid_argument if the visit lacks an arm it needs, or follows one not left
+  void append(const Visit& visit);
+  /// The robot leaves the last visit, as its own star's arm `left_by`.
+  void leave(std::size_t left_by);
+
+  std::size_t size() const { return arms_.size(); }
+  std::size_t visits() const { return trace_.visits.size(); }
+  const Trace& trace() const { return trace_; }
+
+  ArmIndex first_arm(std::size_t visit) const { return visits_[visit].first_arm; }
+  ArmIndex star_size(std::size_t visit) const { return visits_[visit].star_size; }
+  /// ArmIndex of the visit's own star by which it was entered (the first, if it does not say).
+  ArmIndex entered(std::size_t visit) const { return visits_[visit].entered; }
+  /// What was seen on arrival, read from the arm entered by: views are equal iff their numbers are.
+  ArmIndex seen(std::size_t visit) const { return arms_[visits_[visit].entered].view; }
+  /// Number of different views so far.
+  std::size_t views() const { return view_numbers_.size(); }
+
+  ArmIndex opposite(ArmIndex arm) const { return arms_[arm].opposite; }
+  ArmIndex view(ArmIndex arm) const { return arms_[arm].view; }
+  ArmIndex visit_of(ArmIndex arm) const { return arms_[arm].visit; }
+  bool has_gateway(ArmIndex arm) const { return arms_[arm].has_gateway; }
+  /// The arm `steps` clockwise from `arm` in the star of its place.
+  ArmIndex clockwise(ArmIndex arm, ArmIndex steps) const {
+    const auto& place = visits_[visit_of(arm)];
+    const ArmIndex at = arm - place.first_arm + steps % place.star_size;
+    return place.first_arm + (at < place.star_size ? at : at - place.star_size);
+  }
+  /// The arm the robot left visit k by, if it came in by `entered`.
+  ArmIndex left(std::size_t visit, ArmIndex entered) const {
+    return clockwise(entered, visits_[visit].left_steps);
+  }
+
+  /// The hypothesis in which visit k was entered by arm named[k].
+  std::vector<Arrival> arrivals(std::span<const ArmIndex> named) const;
+  /// @pre places are numbered by first visit
+  std::vector<ArmIndex> named(std::span<const Arrival> arrivals) const;
+
+ private:
+  struct ArmFacts {
+    ArmIndex visit;
+    ArmIndex opposite;
+    ArmIndex view;
+    bool has_gateway;
+  };
+  struct VisitFacts {
+    ArmIndex first_arm;
+    ArmIndex star_size;
+    ArmIndex entered;
+    ArmIndex left_steps;  ///< from the arm entered by, clockwise
+  };
+
+  void set_left_steps();
+
+  Trace trace_;
+  std::vector<ArmFacts> arms_;
+  std::vector<VisitFacts> visits_;
+  std::map<std::vector<std::size_t>, ArmIndex> view_numbers_;
+};
+
+}  // namespace asterism

@@ -1,0 +1,260 @@
+#include "engine/map_tree.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "engine/arm_table.hpp"
+#include "engine/native.hpp"
+#include "engine/preorder.hpp"
+#include "engine/solver.hpp"
+
+namespace asterism {
+namespace {
+
+/// The extents to minimise, in order of preference: smaller is preferred.
+class Preference {
+ public:
+  using Rank = std::array<std::uint32_t, 3>;
+
+  explicit Preference(const std::vector<std::string>& extents) {
+    for (const std::string& extent : extents)
+      order_.push_back(extent == "path"    ? &Extents::paths
+                       : extent == "place" ? &Extents::places
+                                           : &Extents::segments);
+  }
+  Rank rank(const Extents& extents) const {
+    Rank result{};
+    for (std::size_t i = 0; i < order_.size(); ++i) result[i] = extents.*order_[i];
+    return result;
+  }
+
+ private:
+  std::vector<std::uint32_t Extents::*> order_;
+};
+
+constexpr std::uint64_t children_between_questions = 1 << 16;
+constexpr std::uint64_t children_a_solver_call = 1 << 10;  // take about as long
+
+using Engine = std::variant<NativeEngine, SolverEngine, BothEngines>;
+
+Engine make_engine(const MapTree::Options& options, const ArmTable& table) {
+  const bool is_shipped = options.axioms.is_shipped();
+  if (options.check != Check::solver && !is_shipped)
+    throw std::invalid_argument("axioms other than the shipped ones need the solver");
+  NativeEngine native(table, {.planar = options.planar,
+                              .one_segment = options.axioms.contains("one_segment"),
+                              .one_crossing = options.axioms.contains("one_crossing")});
+  if (options.check == Check::native) return native;
+  SolverEngine solver(table, options.axioms, options.planar, options.solver_timeout_ms);
+  if (options.check == Check::solver) return solver;
+  return BothEngines(std::move(native), std::move(solver), table);
+}
+
+}  // namespace
+
+class MapTree::Growing {
+ public:
+  explicit Growing(Options given)
+      : options(std::move(given)),
+        preference(options.axioms.preference()),
+        engine(make_engine(options, table)) {}
+  Growing(const Growing&) = delete;
+
+  Growth extend(std::span<const Visit> visits);
+
+  Options options;
+  Preference preference;
+  ArmTable table;
+  Engine engine;
+  Preorder tree;
+  std::vector<std::uint64_t> per_visit;
+  std::vector<HypothesisId> minimal;
+
+ private:
+  template <class E>
+  class Pass;
+};
+
+/// Walks the tree depth first with an engine that follows each step, and at each leaf goes on into
+/// the new visits. What does not reach the last of them is taken back.
+template <class E>
+class MapTree::Growing::Pass {
+ public:
+  Pass(Growing& growing, E& engine, std::size_t levels_before)
+      : growing_(growing),
+        engine_(engine),
+        old_(growing.tree.nodes()),
+        levels_before_(levels_before),
+        levels_(growing.table.visits()),
+        per_visit_(growing.per_visit) {
+    per_visit_.resize(levels_, 0);
+  }
+
+  Growth run() {
+    engine_.reset();
+    if (levels_before_ == 0)
+      grow(0);
+    else if (!old_.empty())
+      replay(0);
+    if (growth_ != Growth::complete) return growth_;
+    growing_.tree = std::move(next_);
+    growing_.per_visit = std::move(per_visit_);
+    growing_.minimal = std::move(minimal_);
+    return growth_;
+  }
+
+ private:
+  bool replay(std::size_t k) {
+    Preorder::Siblings siblings(next_);
+    for (bool more = true; more && growth_ == Growth::complete;) {
+      const Preorder::Node node = old_[at_++];
+      more = node.has_next_sibling;
+      siblings.begin(node.arm);
+      engine_.enter(k, node.arm);
+      const bool lives = k + 1 < levels_before_ ? replay(k + 1) : grow(k + 1);
+      engine_.leave(k, node.arm);
+      lives ? siblings.keep() : siblings.take_back();
+    }
+    return siblings.any();
+  }
+
+  bool grow(std::size_t k) {
+    Preorder::Siblings siblings(next_);
+    engine_.for_each_child(k, [&](ArmIndex arm) {
+      if (growth_ != Growth::complete) return;
+      count(k);
+      siblings.begin(arm);
+      if (k + 1 == levels_) {
+        rank(engine_.extents_after(k, arm));
+        siblings.keep();
+        return;
+      }
+      engine_.enter(k, arm);
+      const bool lives = grow(k + 1);
+      engine_.leave(k, arm);
+      lives ? siblings.keep() : siblings.take_back();
+    });
+    return siblings.any();
+  }
+
+  void count(std::size_t k) {
+    if (++per_visit_[k] > growing_.options.max_hypotheses) growth_ = Growth::too_many;
+    until_question_ += std::is_same_v<E, NativeEngine> ? 1 : children_a_solver_call;
+    if (until_question_ < children_between_questions) return;
+    until_question_ = 0;
+    if (growing_.options.go_on && !growing_.options.go_on(k, per_visit_[k]))
+      growth_ = Growth::stopped;
+  }
+
+  void rank(const Extents& extents) {
+    const auto rank = growing_.preference.rank(extents);
+    if (leaves_ == 0 || rank < best_) {
+      best_ = rank;
+      minimal_.clear();
+    }
+    if (rank == best_) minimal_.emplace_back(leaves_);
+    ++leaves_;
+  }
+
+  Growing& growing_;
+  E& engine_;
+  std::span<const Preorder::Node> old_;
+  std::size_t at_ = 0;  ///< in old_
+  std::size_t levels_before_;
+  std::size_t levels_;
+  std::uint64_t until_question_ = 0;
+  Growth growth_ = Growth::complete;
+
+  Preorder next_;
+  std::vector<std::uint64_t> per_visit_;
+  std::size_t leaves_ = 0;
+  Preference::Rank best_{};
+  std::vector<HypothesisId> minimal_;
+};
+
+MapTree::Growth MapTree::Growing::extend(std::span<const Visit> visits) {
+  const std::size_t levels_before = table.visits();
+  ArmTable before = table;
+  const auto undo = [&] { table = std::move(before); };
+  try {
+    for (const Visit& visit : visits) table.append(visit);
+    if (visits.empty()) return Growth::complete;
+    const Growth growth = std::visit(
+        [&](auto& e) {
+          return Pass<std::remove_reference_t<decltype(e)>>(*this, e, levels_before).run();
+        },
+        engine);
+    if (growth != Growth::complete) undo();
+    return growth;
+  } catch (...) {
+    undo();
+    throw;
+  }
+}
+
+MapTree::MapTree(Options options) : growing_(std::make_unique<Growing>(std::move(options))) {}
+MapTree::~MapTree() = default;
+MapTree::MapTree(MapTree&&) noexcept = default;
+MapTree& MapTree::operator=(MapTree&&) noexcept = default;
+
+MapTree::Growth MapTree::extend(std::span<const Visit> visits) { return growing_->extend(visits); }
+
+void MapTree::leave(std::size_t left_by) { growing_->table.leave(left_by); }
+
+std::uint64_t MapTree::size() const {
+  return growing_->per_visit.empty() ? 0 : growing_->per_visit.back();
+}
+
+std::span<const std::uint64_t> MapTree::per_visit() const { return growing_->per_visit; }
+
+std::uint64_t MapTree::undecided() const {
+  return std::visit(
+      [](const auto& engine) -> std::uint64_t {
+        if constexpr (std::is_same_v<std::decay_t<decltype(engine)>, NativeEngine>)
+          return 0;
+        else
+          return engine.undecided();
+      },
+      growing_->engine);
+}
+
+std::size_t MapTree::memory_bytes() const { return growing_->tree.memory_bytes(); }
+
+const Trace& MapTree::trace() const { return growing_->table.trace(); }
+
+std::span<const HypothesisId> MapTree::minimal() const { return growing_->minimal; }
+
+TopologicalMap MapTree::map(HypothesisId id) const {
+  std::optional<TopologicalMap> map;
+  for_each({&id, 1}, [&](HypothesisId, std::span<const Arrival> arrivals) {
+    map = make_map(trace(), arrivals);
+  });
+  return map.value();
+}
+
+void MapTree::for_each(const std::function<void(HypothesisId, std::span<const Arrival>)>& f) const {
+  const ArmTable& table = growing_->table;
+  growing_->tree.for_each_leaf(table.visits(),
+                               [&](std::uint64_t leaf, std::span<const ArmIndex> named) {
+                                 f(HypothesisId(leaf), table.arrivals(named));
+                                 return true;
+                               });
+}
+
+void MapTree::for_each(std::span<const HypothesisId> ids,
+                       const std::function<void(HypothesisId, std::span<const Arrival>)>& f) const {
+  const ArmTable& table = growing_->table;
+  growing_->tree.for_each_leaf(table.visits(),
+                               [&](std::uint64_t leaf, std::span<const ArmIndex> named) {
+                                 if (!ids.empty() && ids.front() == HypothesisId(leaf)) {
+                                   f(ids.front(), table.arrivals(named));
+                                   ids = ids.subspan(1);
+                                 }
+                                 return !ids.empty();
+                               });
+}
+
+}  // namespace asterism

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <vector>
+
+#include "axioms/axiom_solver.hpp"
+#include "engine/arm_table.hpp"
+#include "engine/map_tree.hpp"
+#include "engine/native.hpp"
+
+namespace asterism {
+
+/// Z3 over the axiom files alone decides every candidate: every arm of every place, and a new
+/// place, no star matching first. Planarity is no axiom: what Z3 accepts is put to the Euler count.
+///                                                                             [DESIGN §8]
+class SolverEngine {
+ public:
+  SolverEngine(const ArmTable& table, const AxiomSet& axioms, bool planar, unsigned timeout_ms)
+      : table_(table),
+        axioms_(axioms),
+        planar_(planar),
+        timeout_ms_(timeout_ms),
+        solver_(axioms, timeout_ms) {}
+
+  void reset();
+
+  /// Calls f(arm) for each candidate that is not refuted, in the order of arms, the new place last.
+  template <class F>
+  void for_each_child(std::size_t k, F&& f) {
+    for (const ArmIndex arm : candidates(k))
+      if (decide(arm) != Verdict::inconsistent) f(arm);
+  }
+  void enter(std::size_t k, ArmIndex arm);
+  void leave(std::size_t k, ArmIndex arm);
+  Extents extents_after(std::size_t k, ArmIndex arm) const;
+
+  std::vector<ArmIndex> candidates(std::size_t k) const;
+  Verdict decide(ArmIndex arm);
+  std::uint64_t undecided() const { return undecided_; }
+  std::span<const ArmIndex> named() const { return named_; }
+
+ private:
+  TopologicalMap map_with(ArmIndex arm) const;
+
+  const ArmTable& table_;
+  const AxiomSet& axioms_;
+  bool planar_;
+  unsigned timeout_ms_;
+  AxiomSolver solver_;
+  std::vector<ArmIndex> named_;
+  std::uint64_t undecided_ = 0;
+};
+
+/// Native engine and solver side by side, compared at every candidate.
+class BothEngines {
+ public:
+  BothEngines(NativeEngine native, SolverEngine solver, const ArmTable& table)
+      : native_(std::move(native)), solver_(std::move(solver)), table_(table) {}
+
+  void reset() {
+    native_.reset();
+    solver_.reset();
+  }
+  template <class F>
+  void for_each_child(std::size_t k, F&& f) {
+    std::vector<ArmIndex> children;
+    native_.for_each_child(k, [&](ArmIndex arm) { children.push_back(arm); });
+    compare(k, children);
+    for (const ArmIndex arm : children) f(arm);
+  }
+  void enter(std::size_t k, ArmIndex arm) {
+    native_.enter(k, arm);
+    solver_.enter(k, arm);
+  }
+  void leave(std::size_t k, ArmIndex arm) {
+    solver_.leave(k, arm);
+    native_.leave(k, arm);
+  }
+  Extents extents_after(std::size_t k, ArmIndex arm) const { return native_.extents_after(k, arm); }
+  std::uint64_t undecided() const { return solver_.undecided(); }
+
+ private:
+  /// @throws DifferenceError if the solver would keep other children
+  void compare(std::size_t k, std::vector<ArmIndex> native_children);
+
+  NativeEngine native_;
+  SolverEngine solver_;
+  const ArmTable& table_;
+};
+
+}  // namespace asterism
