@@ -1,0 +1,216 @@
+#include "io/json_value.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "core/error.hpp"
+
+namespace asterism {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t max_shown = 40;
+
+std::string printable(std::string_view text) {
+  std::string result;
+  for (const char c : text.substr(0, max_shown)) result += (c < ' ' || c > '~') ? '?' : c;
+  return text.size() > max_shown ? result + "..." : result;
+}
+
+/// Builds a JsonValue from the events of nlohmann's parser, which keeps to RFC 8259 and UTF-8.
+class Builder : public nlohmann::json_sax<json> {
+ public:
+  Builder(std::string_view text, const std::string& file_name) : text_(text), file_(file_name) {}
+
+  JsonValue take() { return std::move(root_); }
+
+  bool null() override { return add({nullptr}); }
+  bool boolean(bool value) override { return add({value}); }
+  bool number_integer(number_integer_t value) override {
+    if (value == 0) return add({JsonValue::Real{-0.0, "-0"}});  // 0 itself comes as unsigned
+    return add({std::int64_t{value}});
+  }
+  bool number_unsigned(number_unsigned_t value) override { return add({std::uint64_t{value}}); }
+  bool number_float(number_float_t value, const string_t& text) override {
+    return add({JsonValue::Real{value, text}});
+  }
+  bool string(string_t& value) override { return add({std::move(value)}); }
+  bool binary(binary_t&) override { return false; }  // no part of JSON text
+
+  bool start_object(std::size_t) override { return open({JsonValue::Object{}}); }
+  bool start_array(std::size_t) override { return open({JsonValue::Array{}}); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& key) override {
+    if (!open_.back().keys.insert(key).second)
+      throw InputError(file_ + ":" + pointer() + json_pointer_step(key), "this key again",
+                       "each key once");
+    std::get<JsonValue::Object>(open_.back().value->content).push_back({std::move(key), {}});
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& token,
+                   const nlohmann::detail::exception& error) override {
+    const std::string where = file_ + ":" + line_and_column(position);
+    if (dynamic_cast<const json::out_of_range*>(&error))
+      throw InputError(where, printable(token), "a number that a double can hold");
+    // "[...] parse error at ...: syntax error while parsing value - unexpected X; expected Y" or
+    // "... - invalid literal; last read: 'X'"
+    std::string found = error.what();
+    if (const auto dash = found.find(" - "); dash != std::string::npos) found.erase(0, dash + 3);
+    std::string expected = "valid JSON";
+    if (const auto split = found.find("; expected "); split != std::string::npos)
+      expected = found.substr(split + 11);
+    found.erase(std::min(found.find("; "), found.size()));
+    if (found.starts_with("unexpected ")) found.erase(0, 11);
+    throw InputError(where, found, expected);
+  }
+
+  /// Of the byte read last, `position` bytes into the text; both from 1.
+  std::string line_and_column(std::size_t position) const {
+    const std::string_view before = text_.substr(0, position > 0 ? position - 1 : 0);
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
+    return std::to_string(lines + 1) + ':' + std::to_string(before.size() - line_begin + 1);
+  }
+
+ private:
+  struct Open {
+    JsonValue* value;
+    std::set<std::string> keys;
+  };
+
+  JsonValue& place(JsonValue&& value) {
+    if (open_.empty()) return root_ = std::move(value);
+    auto& content = open_.back().value->content;
+    if (auto* array = std::get_if<JsonValue::Array>(&content))
+      return array->emplace_back(std::move(value));
+    return std::get<JsonValue::Object>(content).back().value = std::move(value);
+  }
+
+  bool add(JsonValue&& value) {
+    place(std::move(value));
+    return true;
+  }
+
+  // A container stays where it is while it is open: only the innermost one grows.
+  bool open(JsonValue&& value) {
+    if (open_.size() == max_json_depth)
+      throw InputError(
+          file_, "nesting of arrays and objects deeper than " + std::to_string(max_json_depth),
+          "fewer levels");
+    open_.push_back({&place(std::move(value)), {}});
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  std::string pointer() const {
+    std::string result;
+    for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+      const auto& content = open_[i].value->content;
+      if (const auto* array = std::get_if<JsonValue::Array>(&content))
+        result += '/' + std::to_string(array->size() - 1);
+      else
+        result += json_pointer_step(std::get<JsonValue::Object>(content).back().key);
+    }
+    return result;
+  }
+
+  std::string_view text_;
+  std::string file_;
+  JsonValue root_;
+  std::vector<Open> open_;
+};
+
+struct Writer {
+  std::string text;
+
+  void operator()(std::nullptr_t) { text += "null"; }
+  void operator()(bool value) { text += value ? "true" : "false"; }
+  void operator()(std::int64_t value) { text += std::to_string(value); }
+  void operator()(std::uint64_t value) { text += std::to_string(value); }
+  void operator()(const JsonValue::Real& value) { text += value.text; }
+  void operator()(const std::string& value) { text += json_quoted(value); }
+
+  void operator()(const JsonValue::Array& array) {
+    text += '[';
+    for (const JsonValue& value : array) {
+      if (&value != &array.front()) text += ", ";
+      std::visit(*this, value.content);
+    }
+    text += ']';
+  }
+
+  void operator()(const JsonValue::Object& object) {
+    text += '{';
+    for (const auto& [key, value] : object) {
+      if (&key != &object.front().key) text += ", ";
+      text += json_quoted(key) + ": ";
+      std::visit(*this, value.content);
+    }
+    text += '}';
+  }
+};
+
+}  // namespace
+
+JsonValue parse_json(std::string_view text, const std::string& file_name) {
+  if (text.starts_with("\xEF\xBB\xBF"))
+    throw InputError(file_name + ":1:1", "a byte order mark", "JSON in UTF-8 without one");
+  Builder builder(text, file_name);
+  // The parser would take it for the end of the text.
+  if (const auto nul = text.find('\0'); nul != std::string_view::npos)
+    throw InputError(file_name + ':' + builder.line_and_column(nul + 1), "a NUL byte",
+                     "JSON in UTF-8");
+  json::sax_parse(text.begin(), text.end(), &builder);
+  return builder.take();
+}
+
+std::string json_text(const JsonValue& value) {
+  Writer writer;
+  std::visit(writer, value.content);
+  return writer.text;
+}
+
+std::string json_quoted(std::string_view text) {
+  try {
+    return json(text).dump();
+  } catch (const json::type_error&) {
+    throw std::invalid_argument("found " + shown(text) + "; expected UTF-8");
+  }
+}
+
+std::string json_number(double value) {
+  if (!std::isfinite(value)) throw std::invalid_argument("found no finite number; expected one");
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+std::string json_pointer_step(std::string_view key) {
+  std::string result = "/";
+  for (const char c : printable(key)) {
+    if (c == '~')
+      result += "~0";
+    else if (c == '/')
+      result += "~1";
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string shown(std::string_view text) { return '"' + printable(text) + '"'; }
+
+}  // namespace asterism

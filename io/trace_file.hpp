@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/trace.hpp"
+
+namespace asterism {
+
+inline constexpr std::size_t max_trace_bytes = std::size_t{64} << 20;
+
+/// Reads a trace file.                                                             [DESIGN §2]
+///
+/// Strict: beside what DESIGN says, each arm has at most one measured gateway, scans are at most
+/// 2^53 - 1, and a covariance is symmetric and positive semi-definite up to rounding (1e-9,
+/// relative to the variances). The displacement of the first visit is checked like any other: a
+/// trace may be a piece of a longer one.
+///
+/// @param file_name  for messages
+/// @throws InputError "file:/json/pointer: found ...; expected ..."; for what is not JSON
+///         "file:line:column: ..."
+Trace read_trace(std::string_view json_text, const std::string& file_name);
+
+/// @throws InputError as above, and if the file cannot be read or exceeds max_trace_bytes
+Trace read_trace_file(const std::string& file);
+
+/// The trace as a file's content, one visit to a line or, where it was measured, a few. Reads back
+/// as the same trace.
+/// @throws std::invalid_argument if the trace could not be read back
+std::string trace_json(const Trace& trace);
+
+/// Whole or not at all.
+/// @throws std::invalid_argument as above, Error if the file cannot be written
+void write_trace_file(const std::string& file, const Trace& trace);
+
+}  // namespace asterism
