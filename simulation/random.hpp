@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <random>
+
+namespace asterism {
+
+// The standard fixes the numbers of std::mt19937_64 but not those of its distributions; these are
+// the same everywhere.
+
+using RandomEngine = std::mt19937_64;
+
+/// Uniform in [0, 1).
+inline double uniform(RandomEngine& engine) {
+  return static_cast<double>(engine() >> 11U) * 0x1.0p-53;
+}
+
+/// Uniform in [low, high).
+inline double between(double low, double high, RandomEngine& engine) {
+  return low + (high - low) * uniform(engine);
+}
+
+/// True with the given probability.
+inline bool chance(double probability, RandomEngine& engine) {
+  return uniform(engine) < probability;
+}
+
+/// Uniform in 0 ... count - 1, for counts far below 2^53.   @pre count > 0
+inline std::size_t below(std::size_t count, RandomEngine& engine) {
+  return static_cast<std::size_t>(uniform(engine) * static_cast<double>(count));
+}
+
+}  // namespace asterism
