@@ -2,8 +2,8 @@
 
     house_rules.py RULE ROOT
 
-RULE is layers, sources, hygiene or format. Prints one line a broken rule, "file:line: found X;
-expected Y"; exits 1 if there is one, 77 if the rule cannot be checked here.
+RULE is layers, sources, citations, hygiene or format. Prints one line a broken rule, "file:line:
+found X; expected Y"; exits 1 if there is one, 77 if the rule cannot be checked here.
 """
 
 import re
@@ -47,6 +47,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 LINK = re.compile(r"asterism::(\w+)")
 CODE = {".cpp", ".hpp"}
 TEXT = CODE | {".py", ".sh", ".smt2", ".lp", ".cmake", ".in", ".md"}  # not cases and corpora
+CITATION = re.compile(r"\[([A-Z]+\d\d)[],]")
 LONGEST_FILE = 450
 
 # Spelt in parts, so that this file keeps its own rules.
@@ -100,8 +101,9 @@ def layers(root):
     for file in files(root, USERS, CODE):
         for number, line in numbered_lines(file):
             match = INCLUDE.match(line)
-            if match and match[2].startswith("catch2/") and "tests" != file.relative_to(root).parts[0]:
-                yield complaint(root, file, number, f"include of {match[2]}", "Catch2 in tests alone")
+            if match and match[2].startswith("catch2/") and not file.is_relative_to(root / "tests"):
+                found = f"include of {match[2]}"
+                yield complaint(root, file, number, found, "Catch2 in tests alone")
 
 
 def refused_include(layer, is_header, quote, name, allowed):
@@ -145,6 +147,17 @@ def mentions(cmake_list, file, whole_name):
     return re.search(rf"((?<![\w/.])|(?<=}}/)){re.escape(name)}(?!\w)", cmake_list.read_text())
 
 
+def citations(root):
+    """Every key cited is resolved in docs/references.md."""
+    references = root / "docs/references.md"
+    known = set(re.findall(r"\*\*\[(\w+)\]\*\*", references.read_text(encoding="utf-8")))
+    for file in [*sorted(root.glob("*.md")), *files(root, [*LAYERS, *USERS, "docs"], TEXT)]:
+        for number, line in numbered_lines(file):
+            for key in CITATION.findall(line):
+                if key not in known:
+                    yield complaint(root, file, number, f"[{key}]", "a key of docs/references.md")
+
+
 def hygiene(root):
     """Short files without tabs, marks of unfinished work, empty checks or hidden tests."""
     folders = [*LAYERS, *USERS, "docs", "cmake", "scripts", ".ci"]
@@ -171,24 +184,33 @@ def hygiene(root):
 
 def formatting(root):
     """clang-format 14 would change nothing."""
-    for name in ["clang-format-14", "clang-format"]:
-        tool = shutil.which(name)
-        if tool and " 14." in subprocess.run([tool, "--version"], capture_output=True, text=True).stdout:
-            break
-    else:
+    tool = next(filter(is_version_14, ["clang-format-14", "clang-format"]), None)
+    if not tool:
         raise CannotCheck("clang-format: found no version 14; expected one")
     for file in files(root, [*LAYERS, *USERS], CODE):
         text = file.read_text(encoding="utf-8")
-        wanted = subprocess.run(
-            [tool, f"--assume-filename={file}"], input=text, capture_output=True, text=True, check=True
-        ).stdout
+        wanted = output([tool, f"--assume-filename={file}"], text)
         if text != wanted:
             pairs = zip(text.splitlines() + [""], wanted.splitlines() + [""])
             line = next((n for n, (a, b) in enumerate(pairs, start=1) if a != b), 1)
             yield complaint(root, file, line, "another layout", "clang-format's")
 
 
-RULES = {"layers": layers, "sources": sources, "hygiene": hygiene, "format": formatting}
+def is_version_14(tool):
+    return shutil.which(tool) is not None and " 14." in output([tool, "--version"])
+
+
+def output(command, text=""):
+    return subprocess.run(command, input=text, stdout=subprocess.PIPE, text=True, check=True).stdout
+
+
+RULES = {
+    "layers": layers,
+    "sources": sources,
+    "citations": citations,
+    "hygiene": hygiene,
+    "format": formatting,
+}
 
 
 def main():

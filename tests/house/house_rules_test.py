@@ -15,6 +15,7 @@ TREE = {
     "core/star.cpp": '#include "core/star.hpp"\n',
     "axioms/CMakeLists.txt": "asterism_library(axioms HEADERS reader.hpp LINKS asterism::core)\n",
     "axioms/reader.hpp": '#pragma once\n\n#include <z3++.h>\n\n#include "core/star.hpp"\n',
+    "docs/references.md": "- **[RK04]** Remolina, Kuipers.\n",
     "tests/CMakeLists.txt": "asterism_test(core SOURCES core/star_test.cpp)\n",
     "tests/core/star_test.cpp": '#include <catch2/catch.hpp>\n\n#include "core/star.hpp"\n',
 }
@@ -34,6 +35,7 @@ BROKEN = [
     ("sources", "core/grid.cpp", "", "core/CMakeLists.txt:1: found no mention of grid.cpp"),
     ("sources", "core/tar.hpp", "", "found no mention of tar.hpp"),
     ("sources", "tests/core/grid_test.cpp", "", "found no mention of core/grid_test.cpp"),
+    ("citations", "core/star.cpp", "// [RK04]\n// [XY" "99]\n", "star.cpp:2: found [XY" "99]"),
     ("hygiene", "core/star.cpp", "\tint i;\n", "core/star.cpp:1: found a tab"),
     ("hygiene", "core/star.cpp", "int i; \n", "found space at the end"),
     ("hygiene", "core/star.cpp", "// FIX" "ME\n", "expected finished work"),
