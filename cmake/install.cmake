@@ -9,7 +9,7 @@ if(TARGET asterism)
   install(TARGETS asterism RUNTIME)
 endif()
 install(DIRECTORY axioms/ DESTINATION ${ASTERISM_AXIOMS_DIR}
-  FILES_MATCHING PATTERN "*.smt2" PATTERN "preference*.txt" PATTERN "build" EXCLUDE)
+  FILES_MATCHING PATTERN "*.smt2")
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/asterism/schemas
   FILES_MATCHING PATTERN "*.schema.json")
 install(EXPORT asterism NAMESPACE asterism:: FILE asterismTargets.cmake DESTINATION ${package_dir})
