@@ -1,0 +1,76 @@
+"""Each rule of the house can fail: a small tree that keeps all rules, broken once a case."""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+import house_rules  # noqa: E402
+
+TREE = {
+    "CMakeLists.txt": "project(small)\n",
+    "core/CMakeLists.txt": "asterism_library(core HEADERS star.hpp SOURCES star.cpp)\n",
+    "core/star.hpp": "#pragma once\n\n#include <vector>\n",
+    "core/star.cpp": '#include "core/star.hpp"\n',
+    "axioms/CMakeLists.txt": "asterism_library(axioms HEADERS reader.hpp LINKS asterism::core)\n",
+    "axioms/reader.hpp": '#pragma once\n\n#include <z3++.h>\n\n#include "core/star.hpp"\n',
+    "docs/references.md": "- **[RK04]** Remolina, Kuipers.\n",
+    "tests/CMakeLists.txt": "asterism_test(core SOURCES core/star_test.cpp)\n",
+    "tests/core/star_test.cpp": '#include <catch2/catch.hpp>\n\n#include "core/star.hpp"\n',
+}
+
+# rule, file, its new text, what the complaint says
+BROKEN = [
+    ("layers", "core/star.cpp", '#include "axioms/reader.hpp"\n', "core/star.cpp:1: found include"),
+    ("layers", "core/star.cpp", '#include "star.hpp"\n', "expected something of core"),
+    ("layers", "core/star.cpp", "#include <z3++.h>\n", "expected Z3 in axioms, engine, cli alone"),
+    ("layers", "core/star.cpp", "# include  <boost/graph/graph.hpp>\n", "Boost in planarity"),
+    ("layers", "core/star.cpp", "#include <spdlog/spdlog.h>\n", "a library that ARCHITECTURE.md"),
+    ("layers", "core/star.cpp", "#include <catch2/catch.hpp>\n", "Catch2 in tests alone"),
+    ("layers", "io/trace.hpp", "#include <nlohmann/json.hpp>\n", "nlohmann-json in no header"),
+    ("layers", "cli/main.hpp", "#include <z3++.h>\n", "Z3 in no header here"),
+    ("layers", "examples/a.cpp", "#include <catch2/catch.hpp>\n", "Catch2 in tests alone"),
+    ("layers", "core/CMakeLists.txt", "link(asterism::axioms)\n", "found asterism::axioms"),
+    ("sources", "core/grid.cpp", "", "core/CMakeLists.txt:1: found no mention of grid.cpp"),
+    ("sources", "core/tar.hpp", "", "found no mention of tar.hpp"),
+    ("sources", "tests/core/grid_test.cpp", "", "found no mention of core/grid_test.cpp"),
+    ("citations", "core/star.cpp", "// [RK04]\n// [XY" "99]\n", "star.cpp:2: found [XY" "99]"),
+    ("hygiene", "core/star.cpp", "\tint i;\n", "core/star.cpp:1: found a tab"),
+    ("hygiene", "core/star.cpp", "int i; \n", "found space at the end"),
+    ("hygiene", "core/star.cpp", "// FIX" "ME\n", "expected finished work"),
+    ("hygiene", "core/star.cpp", "int i;\n" * 451, "found 451 lines"),
+    ("hygiene", "tests/core/star_test.cpp", "CHECK(true" ");\n", "found a check of nothing"),
+    ("hygiene", "tests/core/star_test.cpp", 'TEST_CASE("a", "[.' 'slow]") {}\n', "a hidden test"),
+    ("hygiene", "scripts/demo", "# TO" "DO\n", "scripts/demo:1"),
+    ("format", "core/star.cpp", "int  i ;\n", "core/star.cpp:1: found another layout"),
+]
+
+
+class HouseRulesTest(unittest.TestCase):
+    def complaints(self, rule, changes):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in (TREE | changes).items():
+                file = Path(folder, name)
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(text)
+            try:
+                return list(house_rules.RULES[rule](Path(folder)))
+            except house_rules.CannotCheck as reason:
+                self.skipTest(str(reason))
+
+    def test_a_tree_that_keeps_the_rules_passes(self):
+        for rule in house_rules.RULES:
+            with self.subTest(rule):
+                self.assertEqual(self.complaints(rule, {}), [])
+
+    def test_each_broken_rule_is_named_with_file_and_line(self):
+        for rule, file, text, expected in BROKEN:
+            with self.subTest(rule=rule, file=file, text=text[:40]):
+                found = self.complaints(rule, {file: text})
+                self.assertGreaterEqual(len(found), 1)
+                self.assertIn(expected, found[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
