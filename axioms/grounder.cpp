@@ -19,6 +19,10 @@ std::uint64_t key(std::uint32_t relation, std::size_t position, Grounder::TermId
 
 }  // namespace
 
+std::size_t Grounder::BoundTermHash::operator()(const std::pair<const Term*, TermId>& bound) const {
+  return (std::hash<const Term*>()(bound.first) + bound.second) * 0x9e3779b97f4a7c15u >> 7;
+}
+
 std::size_t Grounder::AtomHash::operator()(const GroundAtom& atom) const {
   std::size_t hash = atom.relation;
   for (const TermId argument : atom.arguments) hash = hash * 0x9e3779b97f4a7c15u + argument + 1;
@@ -66,9 +70,15 @@ Grounder::TermId Grounder::constant(const std::string& name, const std::string& 
 
 Grounder::TermId Grounder::bind(const Term& term, std::span<const TermId> binding) {
   if (term.kind == Term::Kind::variable) return binding[term.variable];
-  const std::string& sort = axioms_.functions().at(term.symbol).result;
-  if (term.kind == Term::Kind::constant) return constant(term.symbol, sort);
-  return intern(term.symbol, {bind(term.argument.front(), binding)}, sort);
+  const bool is_constant = term.kind == Term::Kind::constant;
+  const TermId argument = is_constant ? unbound : bind(term.argument.front(), binding);
+  const auto [entry, is_new] = bound_terms_.try_emplace(std::pair(&term, argument), 0);
+  if (is_new) {
+    const std::string& sort = axioms_.functions().at(term.symbol).result;
+    entry->second =
+        is_constant ? constant(term.symbol, sort) : intern(term.symbol, {argument}, sort);
+  }
+  return entry->second;
 }
 
 Grounder::GroundAtom Grounder::atom(const Fact& fact) {

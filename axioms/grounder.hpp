@@ -54,6 +54,7 @@ class Grounder {
   };
 
   explicit Grounder(const AxiomSet& axioms);
+  Grounder(const Grounder&) = delete;
 
   /// Adds a fact; calls `found` with every instance that it completes.
   void add(const Fact& fact, const std::function<void(Instance)>& found);
@@ -107,6 +108,11 @@ class Grounder {
 
   std::vector<GroundTerm> terms_;
   std::map<std::pair<std::string, std::vector<TermId>>, TermId> term_numbers_;
+  struct BoundTermHash {
+    std::size_t operator()(const std::pair<const Term*, TermId>& bound) const;
+  };
+  /// What a term of an axiom becomes, by its argument: saves comparing names.
+  std::unordered_map<std::pair<const Term*, TermId>, TermId, BoundTermHash> bound_terms_;
 
   struct AtomHash {
     std::size_t operator()(const GroundAtom& atom) const;

@@ -1,6 +1,17 @@
 #include "axioms/z3_vocabulary.hpp"
 
 namespace asterism {
+namespace {
+
+constexpr std::size_t max_instances_an_axiom = 1 << 18;
+
+}  // namespace
+
+std::size_t Z3Vocabulary::KeyHash::operator()(const std::vector<Grounder::TermId>& key) const {
+  std::size_t hash = key.size();
+  for (const Grounder::TermId id : key) hash = (hash ^ id) * 0x9e3779b97f4a7c15u;
+  return hash ^ (hash >> 29);
+}
 
 Z3Vocabulary::Z3Vocabulary(z3::context& context, Grounder& grounder)
     : context_(context), grounder_(grounder) {
@@ -70,6 +81,17 @@ z3::expr Z3Vocabulary::formula(const Formula& formula, const Grounder::Instance&
 }
 
 z3::expr Z3Vocabulary::instance(const Grounder::Instance& instance) {
+  // A search meets the same instance on many branches.
+  std::vector<Grounder::TermId> key = instance.binding;
+  for (const auto& [a, b] : instance.equal) key.insert(key.end(), {a, b});
+  auto& instances = instances_[instance.axiom];
+  const auto known = instances.find(key);
+  if (known != instances.end()) return known->second;
+  if (instances.size() >= max_instances_an_axiom) instances.clear();
+  return instances.emplace(std::move(key), make_instance(instance)).first->second;
+}
+
+z3::expr Z3Vocabulary::make_instance(const Grounder::Instance& instance) {
   z3::expr_vector premise(context_);
   for (const auto& [a, b] : instance.equal) premise.push_back(equality(a, b));
   for (const Formula& part : instance.axiom->premise) premise.push_back(formula(part, instance));

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "axioms/grounder.hpp"
@@ -21,6 +22,7 @@ class Z3Vocabulary {
   z3::expr instance(const Grounder::Instance& instance);
 
  private:
+  z3::expr make_instance(const Grounder::Instance& instance);
   z3::expr formula(const Formula& formula, const Grounder::Instance& instance);
   z3::expr equality(Grounder::TermId a, Grounder::TermId b);
 
@@ -29,6 +31,11 @@ class Z3Vocabulary {
   std::map<std::string, z3::func_decl> functions_;
   std::vector<z3::func_decl> relations_;
   std::vector<z3::expr> terms_;
+  struct KeyHash {
+    std::size_t operator()(const std::vector<Grounder::TermId>& key) const;
+  };
+  std::map<const Axiom*, std::unordered_map<std::vector<Grounder::TermId>, z3::expr, KeyHash>>
+      instances_;
 };
 
 }  // namespace asterism
