@@ -57,7 +57,9 @@ double JsonNode::number() const {
 
 std::uint64_t JsonNode::count(std::uint64_t largest) const {
   const auto* value = exists() ? std::get_if<std::uint64_t>(&value_->content) : nullptr;
-  if (!value || *value > largest) refuse("an integer from 0 to " + std::to_string(largest));
+  if (!value || *value > largest)
+    refuse("an integer from 0 to " +
+           (largest == UINT64_MAX ? "2^64 - 1" : std::to_string(largest)));
   return *value;
 }
 
@@ -128,9 +130,7 @@ std::string JsonNode::found() const {
   if (std::holds_alternative<JsonValue::Array>(value_->content)) return "array";
   if (std::holds_alternative<JsonValue::Object>(value_->content)) return "object";
   if (const auto* value = std::get_if<std::string>(&value_->content)) return shown(*value);
-  if (const auto* value = std::get_if<JsonValue::Real>(&value_->content))
-    return value->text.size() > 40 ? value->text.substr(0, 40) + "..." : value->text;
-  return text();
+  return printable(text(), 40);
 }
 
 void JsonNode::refuse(const std::string& found, const std::string& expected) const {

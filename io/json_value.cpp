@@ -15,13 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t max_shown = 40;
-
-std::string printable(std::string_view text) {
-  std::string result;
-  for (const char c : text.substr(0, max_shown)) result += (c < ' ' || c > '~') ? '?' : c;
-  return text.size() > max_shown ? result + "..." : result;
-}
+constexpr std::size_t max_shown = 40;  // bytes of one string
 
 /// Builds a JsonValue from the events of nlohmann's parser, which keeps to RFC 8259 and UTF-8.
 class Builder : public nlohmann::json_sax<json> {
@@ -60,7 +54,7 @@ class Builder : public nlohmann::json_sax<json> {
                    const nlohmann::detail::exception& error) override {
     const std::string where = file_ + ":" + line_and_column(position);
     if (dynamic_cast<const json::out_of_range*>(&error))
-      throw InputError(where, printable(token), "a number that a double can hold");
+      throw InputError(where, printable(token, max_shown), "a number that a double can hold");
     // "[...] parse error at ...: syntax error while parsing value - unexpected X; expected Y" or
     // "... - invalid literal; last read: 'X'"
     std::string found = error.what();
@@ -198,9 +192,17 @@ std::string json_number(double value) {
   return {buffer.data(), end};
 }
 
+std::string printable(std::string_view text, std::size_t max_size) {
+  std::string result;
+  for (const char c : text.substr(0, max_size)) result += (c < ' ' || c > '~') ? '?' : c;
+  return text.size() > max_size ? result + "..." : result;
+}
+
+std::string shown(std::string_view text) { return '"' + printable(text, max_shown) + '"'; }
+
 std::string json_pointer_step(std::string_view key) {
   std::string result = "/";
-  for (const char c : printable(key)) {
+  for (const char c : printable(key, max_shown)) {
     if (c == '~')
       result += "~0";
     else if (c == '/')
@@ -210,7 +212,5 @@ std::string json_pointer_step(std::string_view key) {
   }
   return result;
 }
-
-std::string shown(std::string_view text) { return '"' + printable(text) + '"'; }
 
 }  // namespace asterism

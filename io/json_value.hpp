@@ -23,7 +23,7 @@ struct JsonValue {
   using Object = std::vector<JsonMember>;
 
   std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, Real, std::string, Array, Object>
-      content = nullptr;
+      content;
 };
 
 struct JsonMember {
@@ -50,11 +50,12 @@ std::string json_quoted(std::string_view text);
 /// @throws std::invalid_argument if it is not finite
 std::string json_number(double value);
 
-/// One step of a JSON pointer [RFC 6901], "/key", on one line: what is not printable ASCII is shown
-/// as '?', and long keys are cut.
-std::string json_pointer_step(std::string_view key);
-
-/// Text from a file as shown in a message: in quotes, on one line, cut if long.
+/// Text from a file as shown in a message: printable ASCII, '?' for any other byte, cut if long.
+std::string printable(std::string_view text, std::size_t max_size);
+/// The same, in quotes.
 std::string shown(std::string_view text);
+
+/// One step of a JSON pointer [RFC 6901], "/key", as shown in a message.
+std::string json_pointer_step(std::string_view key);
 
 }  // namespace asterism

@@ -110,15 +110,19 @@ void require_matching(const TopologicalMap& map, const JsonNode& entered, const 
   }
 }
 
-/// The parts that follow from the visits must be these, in this order.
-template <class Part>
-void require_parts(const JsonNode& node, const std::vector<Part>& expected) {
+/// The elements of an array that follows from the visits, as many as there must be.
+std::vector<JsonNode> implied(const JsonNode& node, std::size_t size) {
   const auto items = node.items();
-  for (std::size_t i = 0; i < std::min(items.size(), expected.size()); ++i)
-    if (const std::string text = json_of(expected[i]); items[i].text() != text)
-      items[i].refuse(items[i].text(), text);
-  if (items.size() != expected.size())
-    node.refuse("an array of " + std::to_string(items.size()), std::to_string(expected.size()));
+  if (items.size() != size)
+    node.refuse("an array of " + std::to_string(items.size()), std::to_string(size));
+  return items;
+}
+
+void require_same(const JsonNode& node, const std::string& expected) {
+  constexpr std::size_t max_shown = 80;
+  if (!node.exists() || node.text() != expected)
+    node.refuse(node.exists() ? printable(node.text(), max_shown) : node.found(),
+                printable(expected, max_shown));
 }
 
 /// A trace that this map explains, by its own stars.
@@ -153,8 +157,15 @@ TopologicalMap read_map(const JsonNode& node) {
   require_matching(map, node["entered"], node["left"]);
 
   map = make_map(trace_of(map), arrivals(map));
-  require_parts(node["paths"], map.paths);
-  require_parts(node["segments"], map.segments);
+  const auto paths = implied(node["paths"], map.paths.size());
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    paths[i].require_keys({"places", "ends"}, Extensions::refused);
+    require_same(paths[i]["places"], json_of(map.paths[i].places));
+    require_same(paths[i]["ends"], json_of(map.paths[i].ends));
+  }
+  const auto segments = implied(node["segments"], map.segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    require_same(segments[i], json_of(map.segments[i]));
   return map;
 }
 

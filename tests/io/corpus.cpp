@@ -1,0 +1,59 @@
+#include "tests/io/corpus.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace asterism {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path tests = fs::path(ASTERISM_SOURCE_DIR) / "tests";
+
+std::set<fs::path> listed(const fs::path& folder, const std::string& kind) {
+  std::set<fs::path> result;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename().string().ends_with('.' + kind + ".json"))
+      result.insert(entry.path());
+  return result;
+}
+
+}  // namespace
+
+std::vector<BadFile> bad_files(const std::string& kind) {
+  const fs::path folder = tests / "corpus" / kind;
+  std::vector<BadFile> result;
+  std::set<fs::path> named;
+  std::ifstream listing(folder / "bad.tsv");
+  std::string line;
+  std::getline(listing, line);  // the names of the columns
+  while (std::getline(listing, line)) {
+    std::istringstream fields(line);
+    std::string file, schema, message;
+    std::getline(fields, file, '\t');
+    std::getline(fields, schema, '\t');
+    std::getline(fields, message);
+    result.push_back({folder / "bad" / file, message});
+    named.insert(folder / "bad" / file);
+  }
+  if (named != listed(folder / "bad", kind))
+    throw std::runtime_error("bad.tsv of " + kind + " does not name the files that are there");
+  return result;
+}
+
+std::vector<fs::path> good_files(const std::string& kind) {
+  auto files = listed(tests / "corpus" / kind / "good", kind);
+  files.merge(listed(tests / "traces", kind));
+  return {files.begin(), files.end()};
+}
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace asterism

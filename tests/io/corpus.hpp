@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asterism {
+
+/// A file that must be refused, with this message after its name.
+struct BadFile {
+  std::filesystem::path file;
+  std::string message;
+};
+
+/// The bad files of one kind, "trace" or "maps", as listed in bad.tsv; which must list them all.
+std::vector<BadFile> bad_files(const std::string& kind);
+
+/// The good files of one kind. To traces belong those of tests/traces.
+std::vector<std::filesystem::path> good_files(const std::string& kind);
+
+std::string content(const std::filesystem::path& file);
+
+}  // namespace asterism

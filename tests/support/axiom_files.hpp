@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "axioms/axiom_set.hpp"
+
+namespace asterism {
+
+using AxiomFiles = std::map<std::string, std::string>;
+
+/// The shipped files, without the optional ones.
+inline AxiomFiles shipped_files() {
+  AxiomFiles files;
+  for (const auto& [name, text] : AxiomSet::built_in_files())
+    if (!name.starts_with("optional/")) files[name] = text;
+  return files;
+}
+
+/// The files with the assertion of this name replaced by other text, or left out.
+inline AxiomFiles with_axiom(AxiomFiles files, const std::string& name,
+                             const std::string& replacement = "") {
+  for (auto& [file, text] : files) {
+    const std::size_t mark = text.find(":named " + name + "))");
+    if (mark == std::string::npos) continue;
+    const std::size_t begin = text.rfind("(assert", mark);
+    const std::size_t end = mark + std::string(":named " + name + "))").size();
+    text.replace(begin, end - begin, replacement);
+    return files;
+  }
+  throw std::logic_error("no axiom " + name);
+}
+
+}  // namespace asterism
