@@ -111,7 +111,9 @@ std::vector<TopologicalMap> read_sorted_maps(const JsonNode& node) {
   return maps;
 }
 
-std::string number_of_maps(std::uint64_t number) { return std::to_string(number) + " maps"; }
+std::string number_of_maps(std::uint64_t number) {
+  return std::to_string(number) + (number == 1 ? " map" : " maps");
+}
 
 /// Where nothing cut the run short, all counts are those of the same maps.
 void require_complete(const JsonNode& root, const MapReport& report) {
@@ -129,39 +131,42 @@ void require_complete(const JsonNode& root, const MapReport& report) {
     root["maps"].refuse(number_of_maps(report.maps.size()), std::to_string(*report.consistent));
 }
 
-/// Whether a preference minimises the extent of a predicate and no other but `path` and `place`, so
-/// that all minimal models have the same number there.
-bool is_fixed(const std::vector<std::string>& preference, const std::string& predicate) {
-  const auto is_known = [](const std::string& name) { return name == "path" || name == "place"; };
-  return std::ranges::all_of(preference, is_known) &&
-         std::ranges::find(preference, predicate) != preference.end();
+/// What is to be minimised, most important first. Nothing where the maps do not tell it: where a
+/// predicate is another than these, or a user's axioms may make fewer paths of a map.
+std::optional<std::vector<std::size_t>> extents(const MapOptions& options, std::size_t paths,
+                                                std::size_t places) {
+  std::vector<std::size_t> result;
+  for (const std::string& predicate : options.preference) {
+    if (options.axioms != "shipped" || (predicate != "path" && predicate != "place"))
+      return std::nullopt;
+    result.push_back(predicate == "path" ? paths : places);
+  }
+  return result;
 }
 
-/// The maps listed are, or hold, as many minimal models as told, of as many paths and places.
+/// The maps listed hold as many minimal models as told, and none below them; or only these.
 void require_minimal(const JsonNode& root, const MapReport& report) {
-  if (!report.minimal) {
-    if (!report.options.all && !report.maps.empty())
-      root["maps"].refuse(number_of_maps(report.maps.size()), "none, as minimal is null");
-    return;
-  }
   const auto& [paths, places, count, certified] = *report.minimal;
   if (count == 0) root["minimal"]["count"].refuse("at least 1");
-  if (report.options.all) {
-    if (report.maps.size() < count)
-      root["maps"].refuse(number_of_maps(report.maps.size()), "at least " + std::to_string(count));
-    return;
-  }
-  if (report.maps.size() != count)
-    root["maps"].refuse(number_of_maps(report.maps.size()), std::to_string(count));
-  const auto items = root["maps"].items();
-  for (std::size_t i = 0; i < items.size(); ++i) {
+  if (report.maps.size() < count || (!report.options.all && report.maps.size() != count))
+    root["maps"].refuse(number_of_maps(report.maps.size()),
+                        (report.options.all ? "at least " : "") + std::to_string(count));
+
+  const auto least = extents(report.options, paths, places);
+  if (!least) return;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < report.maps.size(); ++i) {
     const TopologicalMap& map = report.maps[i];
-    if (is_fixed(report.options.preference, "path") && map.paths.size() != paths)
-      items[i]["paths"].refuse(std::to_string(map.paths.size()) + " paths", std::to_string(paths));
-    if (is_fixed(report.options.preference, "place") && map.places.size() != places)
-      items[i]["places"].refuse(std::to_string(map.places.size()) + " places",
-                                std::to_string(places));
+    const auto these = extents(report.options, map.paths.size(), map.places.size());
+    if (these == least) ++number;
+    if (these < least || (!report.options.all && these != least))
+      root["maps"].items()[i].refuse(
+          std::to_string(map.paths.size()) + " paths, " + std::to_string(map.places.size()) +
+              " places",
+          std::to_string(paths) + " and " + std::to_string(places) + " as in minimal");
   }
+  if (number != count)
+    root["maps"].refuse(number_of_maps(number) + " as in minimal", std::to_string(count));
 }
 
 }  // namespace
@@ -217,7 +222,10 @@ MapReport read_maps(std::string_view json_text, const std::string& file_name) {
   report.maps = read_sorted_maps(root["maps"]);
 
   if (report.complete) require_complete(root, report);
-  require_minimal(root, report);
+  if (report.minimal)
+    require_minimal(root, report);
+  else if (!report.options.all && !report.maps.empty())
+    root["maps"].refuse(number_of_maps(report.maps.size()), "none, as minimal is null");
   return report;
 }
 

@@ -1,6 +1,8 @@
 #include "io/maps_file.hpp"
 
 #include <limits>
+#include <map>
+#include <random>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -33,6 +35,43 @@ MapReport corner() {
   report.minimal = {3, 3, 1, true};
   report.maps = {make_map(trace, arrivals)};
   return report;
+}
+
+/// A walk among places that are joined as chance has it: no axiom is asked, so that paths may meet
+/// a place twice or close on themselves.
+TopologicalMap random_map(std::mt19937_64& random) {
+  static const std::vector<Star> stars{Star::parse("a+1 b+1 a-1 b-1"), Star::parse("a+1 a-1"),
+                                       Star::parse("a+1 b-1 a-0 b+1"), Star::parse("a+0 a-1")};
+  std::vector<Star> places;
+  std::map<PlaceArm, PlaceArm> other_end;
+  const auto gateway_of = [&](std::size_t place) {
+    const Star& star = places[place];
+    std::size_t arm = random() % star.size();
+    while (!star.has_gateway(arm)) arm = star.clockwise(arm, 1);
+    return PlaceArm{PlaceId(place), arm};
+  };
+  const auto new_place = [&] {
+    places.push_back(stars[random() % stars.size()]);
+    return gateway_of(places.size() - 1);
+  };
+
+  Trace trace;
+  std::vector<Arrival> arrivals;
+  PlaceArm entered = new_place();
+  for (auto visits = 1 + random() % 20; visits > 0; --visits) {
+    const PlaceArm left = gateway_of(entered.place.index());
+    trace.visits.push_back(
+        {.star = places[entered.place.index()], .entered_by = entered.arm, .left_by = left.arm});
+    arrivals.push_back({entered.place, entered.arm});
+    const PlaceArm open = gateway_of(random() % places.size());
+    if (const auto known = other_end.find(left); known != other_end.end())
+      entered = known->second;
+    else
+      entered = other_end.contains(open) ? new_place() : open;
+    other_end.emplace(left, entered);
+    other_end.emplace(entered, left);
+  }
+  return make_map(trace, arrivals);
 }
 
 }  // namespace
@@ -103,26 +142,14 @@ TEST_CASE("what is not UTF-8 or no number is not written", "[io]") {
   CHECK_THROWS_AS(text_of(report), std::invalid_argument);
 }
 
-TEST_CASE("a maps file may be long", "[io]") {
-  MapReport report = corner();
-  report.options.all = true;
-  report.consistent.reset();
-  report.per_visit.reset();
-  // Any arrangement of the visits among places seen alike, in the order that a file has.
-  const Trace trace = [] {
-    Trace steps{"steps", {}};
-    for (int k = 0; k < 9; ++k)
-      steps.visits.push_back(
-          {.star = Star::parse("a+1 b+1 a-1 b-1"), .entered_by = 2U, .left_by = 0U});
-    return steps;
-  }();
-  report.maps.clear();
-  for (std::size_t back = 0; back < 8; ++back) {
-    std::vector<Arrival> arrivals;
-    for (std::size_t k = 0; k < 8; ++k) arrivals.push_back({PlaceId(k), 2U});
-    arrivals.push_back({PlaceId(back), back == 0 ? 2U : 3U});
-    report.maps.push_back(make_map(trace, arrivals));
-  }
+TEST_CASE("random maps are read as they were written", "[io][property]") {
+  const auto seed = GENERATE(range(0U, 300U));
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  MapReport report;
+  report.options.axioms = "none";
+  report.maps = {random_map(random)};
+  report.minimal = {report.maps[0].paths.size(), report.maps[0].places.size(), 1, false};
   CHECK(same(read_maps(text_of(report), "again"), report));
 }
 
