@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ostream>
 #include <tuple>
+#include <utility>
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
@@ -171,7 +172,7 @@ void require_minimal(const JsonNode& root, const MapReport& report) {
 
 }  // namespace
 
-void write_maps(std::ostream& out, const MapReport& report) {
+void write_maps(std::ostream& out, const MapReport& report, const MapSource& maps) {
   out << "{ \"format\": \"asterism/maps\", \"version\": 1, \"trace\": " << json_of(report.trace)
       << ",\n  \"options\": ";
   write_options(out, report.options);
@@ -180,11 +181,18 @@ void write_maps(std::ostream& out, const MapReport& report) {
       << ",\n  \"complete\": " << json_of(report.complete);
   if (report.stopped_by) out << ", \"stopped_by\": " << json_of(*report.stopped_by);
   out << ",\n  \"minimal\": " << json_of(report.minimal) << ",\n  \"maps\": [";
-  for (const TopologicalMap& map : report.maps) {
-    out << (&map == &report.maps.front() ? "\n" : ",\n");
+  bool is_first = true;
+  maps([&](const TopologicalMap& map) {
+    out << (std::exchange(is_first, false) ? "\n" : ",\n");
     write_map(out, map);
-  }
-  out << (report.maps.empty() ? "] }\n" : " ] }\n");
+  });
+  out << (is_first ? "] }\n" : " ] }\n");
+}
+
+void write_maps(std::ostream& out, const MapReport& report) {
+  write_maps(out, report, [&](const auto& write) {
+    for (const TopologicalMap& map : report.maps) write(map);
+  });
 }
 
 void write_maps_file(const std::string& file, const MapReport& report) {

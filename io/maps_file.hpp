@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <string_view>
@@ -11,9 +12,14 @@ namespace asterism {
 
 inline constexpr std::size_t max_maps_bytes = std::size_t{256} << 20;
 
+/// Calls its argument with one map after another.
+using MapSource = std::function<void(const std::function<void(const TopologicalMap&)>&)>;
+
 /// Writes a maps file, map by map, one line a part of a map.                       [DESIGN §9]
 /// @throws std::invalid_argument if a string is not UTF-8 or a number is not finite
 void write_maps(std::ostream& out, const MapReport& report);
+/// The same with these maps instead of the report's: there may be too many to hold.
+void write_maps(std::ostream& out, const MapReport& report, const MapSource& maps);
 
 /// Whole or not at all.
 /// @throws std::invalid_argument as above, Error if the file cannot be written

@@ -1,0 +1,167 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <functional>
+
+#include "cli/options.hpp"
+#include "core/error.hpp"
+#include "engine/map_tree.hpp"
+#include "io/trace_file.hpp"
+
+namespace {
+
+using namespace asterism;
+
+void add_axiom_options(CLI::App& app, AxiomOptions& options) {
+  app.add_option("--axioms", options.folder, "Folder of axioms (*.smt2) instead of the shipped ones")
+      ->type_name("DIR");
+  app.add_option("--axiom", options.optional,
+                 "Switch an optional axiom on; `asterism axioms` names them (repeatable)")
+      ->type_name("NAME")
+      ->take_all();
+}
+
+void add_map(CLI::App& app, MapCommand& command, std::function<int()>& chosen) {
+  CLI::App& map = *app.add_subcommand("map", "Find every map that explains a trace");
+  map.footer(R"(Examples:
+  asterism map examples/aces-stubs.trace.json --planar
+  asterism map drive.trace.json --svg drawings --json drive.maps.json
+  asterism map drive.trace.json --all --json - | jq .consistent
+  asterism map drive.trace.json --why-not 0,1,2,0
+Exit code: 0 a map exists, 1 none does, 2 stopped by a limit, 65 bad input, 70 internal fault.)");
+  MapOptions& options = command.options;
+  map.add_option("trace", command.trace, "Trace file (*.trace.json)")->required();
+  map.add_flag("--planar", options.planar, "Keep only maps that can be drawn in the plane");
+  map.add_option("--check", options.check,
+                 "Who decides: native, the solver alone, or both compared at every candidate")
+      ->check(CLI::IsMember({"native", "solver", "both"}))
+      ->capture_default_str();
+  add_axiom_options(map, command.axioms);
+  map.add_option("--certify", options.certify_s,
+                 "Seconds the solver may take to certify the minimal models; 0: do not")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  map.add_option("--json", command.json, "Write a maps file; -: alone on stdout")->type_name("FILE");
+  map.add_flag("--all", options.all, "List every map, not the minimal models alone");
+  map.add_option("--svg", command.svg_folder,
+                 "Draw each minimal model, and the number of maps a visit, into a folder")
+      ->type_name("DIR");
+  map.add_option("--export-smt2", command.smt2_folder,
+                 "Write the grounded problem of each map listed, for z3 or cvc5")
+      ->type_name("DIR");
+  map.add_option("--why-not", command.why_not,
+                 "Say why the last of these visits cannot be at the last of these places: the place "
+                 "of each visit from the first, a new one having the next number")
+      ->type_name("PLACES")
+      ->delimiter(',');
+  map.add_option("--max-hypotheses", options.max_hypotheses,
+                 "Stop when a visit leaves more maps than this")
+      ->type_name("N");
+  map.add_option("--time-limit", options.time_limit_s, "Stop growing after this many seconds")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
+  map.callback([&] { chosen = [&] { return map_command(command); }; });
+}
+
+void add_simulate(CLI::App& app, SimulateCommand& command, std::function<int()>& chosen) {
+  CLI::App& simulate =
+      *app.add_subcommand("simulate", "Walk through a random world and write the trace");
+  simulate.footer(R"(Examples:
+  asterism simulate --seed 7 -o walk.trace.json
+  asterism simulate --world corridors --corridors 9 --travels 40 --seed 1 -o walk.trace.json
+  asterism simulate --seed 7 | asterism map /dev/stdin --planar
+Same options, same bytes.)");
+  simulate.add_option("--world", command.world, "Kind of world")
+      ->check(CLI::IsMember({"grid", "corridors"}))
+      ->capture_default_str();
+  simulate.add_option("--seed", command.seed, "Seed of world and walk")->capture_default_str();
+  simulate.add_option("--travels", command.travels, "Travels to make")->capture_default_str();
+  simulate.add_option("--width", command.width, "Points of a grid from west to east")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  simulate.add_option("--height", command.height, "Points of a grid from north to south")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  simulate.add_option("--missing", command.missing, "Share of a grid's corridors that are missing")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  simulate.add_option("--stubs", command.stubs, "Share of those that are blind stubs")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  simulate.add_option("--corridors", command.corridors, "Corridors of a corridor world")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  simulate.add_flag("--laps", command.laps, "Walk round a face instead of exploring");
+  simulate.add_flag("--plain", command.plain, "Read every star from the world's first arm");
+  simulate.add_option("-o,--output", command.output, "Trace file; -: stdout")->capture_default_str();
+  simulate.add_option("--true-map", command.true_map, "Write the true map as a maps file");
+  simulate.callback([&] { chosen = [&] { return simulate_command(command); }; });
+}
+
+void add_axioms(CLI::App& app, AxiomOptions& options, std::function<int()>& chosen) {
+  CLI::App& axioms = *app.add_subcommand("axioms", "Print the axioms in force");
+  axioms.footer(R"(Examples:
+  asterism axioms
+  asterism axioms --axiom one_crossing
+  asterism axioms --axioms my-axioms)");
+  add_axiom_options(axioms, options);
+  axioms.callback([&] { chosen = [&] { return axioms_command(options); }; });
+}
+
+void add_validate(CLI::App& app, std::vector<std::string>& files, std::function<int()>& chosen) {
+  CLI::App& validate = *app.add_subcommand("validate", "Check files and say what is wrong");
+  validate.footer(R"(Examples:
+  asterism validate drive.trace.json drive.maps.json
+  asterism validate my-axioms
+A *maps.json is a maps file, a folder holds axioms, anything else is a trace.)");
+  validate.add_option("files", files, "Traces, maps files, folders of axioms")->required();
+  validate.callback([&] { chosen = [&] { return validate_command(files); }; });
+}
+
+int fail(int code, const std::string& message) {
+  std::fprintf(stderr, "asterism: %s\n", message.c_str());
+  return code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Every topological map that a robot's trace allows, and the simplest");
+  app.name("asterism");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::function<std::string()>(version_text),
+                       "Versions of asterism and its libraries");
+  app.footer("Each command has a --help with examples.");
+
+  MapCommand map;
+  SimulateCommand simulate;
+  AxiomOptions axioms;
+  std::vector<std::string> files;
+  std::function<int()> chosen;
+  add_map(app, map, chosen);
+  add_simulate(app, simulate, chosen);
+  add_axioms(app, axioms, chosen);
+  add_validate(app, files, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return fail(exit_usage, error.what() + std::string("; see --help"));
+  }
+  return chosen();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const InputError& error) {
+    return fail(exit_bad_input, error.what());
+  } catch (const DifferenceError& error) {
+    const int code = fail(exit_internal, error.what());
+    std::fputs(trace_json(error.shortest_trace).c_str(), stderr);
+    return code;
+  } catch (const std::exception& error) {
+    return fail(exit_internal, error.what());
+  }
+}

@@ -1,0 +1,298 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <numeric>
+#include <span>
+
+#include "cli/map_text.hpp"
+#include "cli/options.hpp"
+#include "cli/progress.hpp"
+#include "core/error.hpp"
+#include "engine/certify.hpp"
+#include "engine/explain.hpp"
+#include "engine/map_tree.hpp"
+#include "io/atomic_file.hpp"
+#include "io/chart_svg.hpp"
+#include "io/map_svg.hpp"
+#include "io/maps_file.hpp"
+#include "io/trace_file.hpp"
+#include "planarity/plane_drawing.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr std::size_t most_maps_in_text = 20;
+constexpr std::size_t most_drawings = 100;
+
+MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms) {
+  MapTree::Options options;
+  options.planar = command.options.planar;
+  options.check = command.options.check == "native"   ? Check::native
+                  : command.options.check == "solver" ? Check::solver
+                                                      : Check::both;
+  options.axioms = axioms;
+  options.max_hypotheses = command.options.max_hypotheses.value_or(UINT64_MAX);
+  return options;
+}
+
+/// Grows the tree. In one pass where nothing can stop it early, since that is the fastest; else visit
+/// by visit, to end on a whole level.
+std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
+                                const Progress& progress) {
+  const bool may_stop = command.options.max_hypotheses || command.options.time_limit_s ||
+                        command.options.check != "native";
+  const std::size_t step = may_stop ? 1 : trace.visits.size();
+  for (std::size_t k = 0; k < trace.visits.size(); k += step)
+    switch (tree.extend(std::span(trace.visits).subspan(k, step))) {
+      case MapTree::Growth::complete: break;
+      case MapTree::Growth::stopped: return progress.stopped_by();
+      case MapTree::Growth::too_many:
+        return fmt::format("limit of {} hypotheses", *command.options.max_hypotheses);
+    }
+  return std::nullopt;
+}
+
+/// All hypotheses in the order of reports, by (visits, entered).                     [DESIGN §9]
+class SortedMaps {
+ public:
+  explicit SortedMaps(const MapTree& tree) : tree_(tree), width_(2 * tree.trace().visits.size()) {
+    keys_.reserve(width_ * tree.size());
+    tree.for_each([&](HypothesisId, std::span<const Arrival> arrivals) {
+      for (const Arrival& arrival : arrivals)
+        keys_.push_back(static_cast<std::uint32_t>(arrival.place.index()));
+      for (const Arrival& arrival : arrivals)
+        keys_.push_back(arrival.entered ? static_cast<std::uint32_t>(*arrival.entered) + 1 : 0);
+    });
+    order_.resize(tree.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::ranges::sort(order_, [&](std::size_t a, std::size_t b) {
+      return std::ranges::lexicographical_compare(key(a), key(b));
+    });
+  }
+
+  void for_each(const std::function<void(const TopologicalMap&)>& f) const {
+    for (const std::size_t i : order_) {
+      std::vector<Arrival> arrivals;
+      for (std::size_t k = 0; k < width_ / 2; ++k) {
+        const std::uint32_t entered = key(i)[width_ / 2 + k];
+        arrivals.push_back({PlaceId(key(i)[k]), std::nullopt});
+        if (entered > 0) arrivals.back().entered = entered - 1;
+      }
+      f(make_map(tree_.trace(), arrivals));
+    }
+  }
+
+ private:
+  std::span<const std::uint32_t> key(std::size_t i) const {
+    return std::span(keys_).subspan(i * width_, width_);
+  }
+
+  const MapTree& tree_;
+  std::size_t width_;
+  std::vector<std::uint32_t> keys_;
+  std::vector<std::size_t> order_;
+};
+
+std::vector<std::vector<Arrival>> minimal_models(const MapTree& tree) {
+  std::vector<std::vector<Arrival>> models;
+  tree.for_each(tree.minimal(), [&](HypothesisId, std::span<const Arrival> arrivals) {
+    models.emplace_back(arrivals.begin(), arrivals.end());
+  });
+  const auto key = [](const std::vector<Arrival>& model) {
+    std::pair<std::vector<PlaceId>, std::vector<std::optional<std::size_t>>> result;
+    for (const auto& [place, entered] : model) {
+      result.first.push_back(place);
+      result.second.push_back(entered);
+    }
+    return result;
+  };
+  std::ranges::sort(models, {}, key);
+  return models;
+}
+
+MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomSet& axioms,
+                    std::optional<std::string> stopped_by, Progress& progress) {
+  MapReport report;
+  report.options = command.options;
+  report.options.preference = axioms.preference();
+  report.per_visit = std::vector(tree.per_visit().begin(), tree.per_visit().end());
+  if (report.per_visit->empty()) report.per_visit.reset();
+  report.stopped_by = std::move(stopped_by);
+  if (!report.stopped_by && tree.undecided() > 0)
+    report.stopped_by = fmt::format("{} candidates undecided by the solver", tree.undecided());
+  report.complete = !report.stopped_by;
+  if (tree.trace().visits.size() < command.visits) return report;
+
+  report.consistent = tree.size();
+  if (tree.size() == 0) return report;
+  const auto models = minimal_models(tree);
+  for (const auto& model : models) report.maps.push_back(make_map(tree.trace(), model));
+  report.minimal = {.paths = report.maps.front().paths.size(),
+                    .places = report.maps.front().places.size(),
+                    .count = models.size(),
+                    .certified = false};
+  if (command.options.certify_s > 0) {
+    progress.say("certifying the minimal models");
+    const Certificate certificate = certify(tree.trace(), axioms, command.options.planar, models,
+                                            command.options.certify_s);
+    if (certificate == Certificate::refuted)
+      throw std::logic_error("the solver refutes the minimal models of the tree");
+    report.minimal->certified = certificate == Certificate::shown;
+  }
+  return report;
+}
+
+/// How many maps each visit leaves, under the other view on planarity: for the chart.
+std::vector<std::uint64_t> other_counts(const MapCommand& command, const AxiomSet& axioms,
+                                        const Trace& trace) {
+  MapCommand other = command;
+  other.options.planar = !command.options.planar;
+  if (axioms.is_shipped()) other.options.check = "native";
+  Progress progress(trace.visits.size(), command.options.time_limit_s);
+  MapTree::Options options = tree_options(other, axioms);
+  options.go_on = std::ref(progress);
+  MapTree tree(std::move(options));
+  grow(tree, trace, other, progress);
+  return {tree.per_visit().begin(), tree.per_visit().end()};
+}
+
+void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Trace& trace,
+                    const MapReport& report, std::span<const TopologicalMap> models) {
+  const std::filesystem::path folder(*command.svg_folder);
+  std::filesystem::create_directories(folder);
+  const std::size_t drawings = std::min(models.size(), most_drawings);
+  for (std::size_t i = 0; i < drawings; ++i)
+    write_atomically((folder / fmt::format("model-{}.svg", i)).string(),
+                     map_svg(models[i], draw(models[i]),
+                             fmt::format("{}, {}minimal model {} of {}", trace.name,
+                                         report.options.planar ? "planar " : "", i,
+                                         models.size())));
+  const auto own = report.per_visit.value_or(std::vector<std::uint64_t>{});
+  const auto other = other_counts(command, axioms, trace);
+  write_atomically((folder / "hypotheses.svg").string(),
+                   hypotheses_chart_svg(trace.name, report.options.planar ? other : own,
+                                        report.options.planar ? own : other));
+  if (drawings < models.size())
+    fmt::print(stderr, "drew the first {} of {} minimal models\n", drawings, models.size());
+}
+
+void write_problem(const std::filesystem::path& folder, const std::string& name,
+                   const Trace& trace, std::span<const Arrival> hypothesis,
+                   const AxiomSet& axioms) {
+  std::filesystem::create_directories(folder);
+  write_atomically((folder / name).string(), smt2_text(trace, hypothesis, axioms));
+}
+
+/// Data associations with these places: several where a place can be entered by several arms.
+std::vector<std::vector<Arrival>> parents_of(const MapCommand& command, const AxiomSet& axioms,
+                                             const Trace& trace) {
+  std::span<const std::size_t> wanted(command.why_not);
+  wanted = wanted.first(wanted.size() - 1);
+  MapTree tree(tree_options(command, axioms));
+  for (std::size_t k = 0; k < wanted.size(); ++k) tree.extend(trace.visits[k]);
+  std::vector<std::vector<Arrival>> result;
+  tree.for_each([&](HypothesisId, std::span<const Arrival> arrivals) {
+    const bool is_wanted = std::ranges::equal(
+        arrivals, wanted, {}, [](const Arrival& arrival) { return arrival.place.index(); });
+    if (is_wanted) result.emplace_back(arrivals.begin(), arrivals.end());
+  });
+  return result;
+}
+
+/// Tells, for every arm by which the last visit could have come in, why it could not.
+int why_not(const MapCommand& command, const AxiomSet& axioms, const Trace& trace) {
+  const std::size_t k = command.why_not.size() - 1;
+  if (command.why_not.size() < 2 || command.why_not.size() > trace.visits.size())
+    throw InputError("--why-not", fmt::format("{} places", command.why_not.size()),
+                     fmt::format("2 to {}, one a visit", trace.visits.size()));
+  const auto parents = parents_of(command, axioms, trace);
+  if (parents.empty())
+    throw InputError("--why-not", "places that do not explain the visits before the last",
+                     "those of a consistent map, so that the last alone is in question");
+  bool possible = false;
+  std::size_t problems = 0;
+  for (const auto& parent : parents) {
+    const TopologicalMap before = make_map(trace, parent);
+    const std::size_t place = command.why_not.back();
+    if (place > before.places.size())
+      throw InputError("--why-not", fmt::format("place {}", place),
+                       fmt::format("at most {}, a new place", before.places.size()));
+    const bool is_new = place == before.places.size();
+    const Star& star = is_new ? trace.visits[k].star : before.places[place].star;
+    for (std::size_t arm = 0; arm < star.size(); ++arm) {
+      if (is_new && arm != trace.visits[k].entered_by) continue;
+      std::vector<Arrival> child = parent;
+      child.push_back({PlaceId(place), arm});
+      if (command.smt2_folder)
+        write_problem(*command.smt2_folder, fmt::format("why-not-{}.smt2", problems++), trace,
+                      child, axioms);
+      fmt::print("visit {} at place {}, in by arm {}: ", k, place, star.name(arm));
+      const auto reason = explain_dropped(trace, child, axioms, command.options.planar);
+      possible |= !reason;
+      if (reason)
+        fmt::print("dropped\n{}", refutation_text(*reason, make_map(trace, child), axioms));
+      else
+        fmt::print("not refuted\n");
+    }
+  }
+  return possible ? exit_consistent : exit_inconsistent;
+}
+
+}  // namespace
+
+int map_command(const MapCommand& given) {
+  MapCommand command = given;
+  const Trace trace = read_trace_file(command.trace);
+  const AxiomSet axioms = command.axioms.read();
+  command.visits = trace.visits.size();
+  command.options.axioms = command.axioms.folder.value_or("shipped");
+  command.options.optional_axioms = command.axioms.optional;
+  std::ranges::sort(command.options.optional_axioms);
+  if (command.options.check != "solver" && !axioms.is_shipped())
+    throw InputError("--check", command.options.check,
+                     "solver: the native engine knows only the shipped axioms");
+  if (!command.why_not.empty()) return why_not(command, axioms, trace);
+
+  Progress progress(trace.visits.size(), command.options.time_limit_s);
+  MapTree::Options options = tree_options(command, axioms);
+  options.go_on = std::ref(progress);
+  MapTree tree(std::move(options));
+  std::optional<std::string> stopped_by = grow(tree, trace, command, progress);
+  MapReport report = report_of(tree, command, axioms, std::move(stopped_by), progress);
+  report.trace = trace.name;
+  const std::vector<TopologicalMap> models = report.maps;
+
+  MapSource maps = [&](const auto& write) {
+    for (const TopologicalMap& map : models) write(map);
+  };
+  if (command.options.all && report.consistent) {
+    maps = [sorted = SortedMaps(tree)](const auto& write) { sorted.for_each(write); };
+    report.maps.clear();
+    maps([&](const TopologicalMap& map) {
+      if (report.maps.size() <= most_maps_in_text) report.maps.push_back(map);
+    });
+  }
+  if (command.json == "-") {
+    write_maps(std::cout, report, maps);
+  } else {
+    if (command.json)
+      write_atomically(*command.json, [&](std::ostream& out) { write_maps(out, report, maps); });
+    fmt::print("{}", report_text(report, trace.visits.size(), most_maps_in_text));
+  }
+  if (command.svg_folder) write_drawings(command, axioms, trace, report, models);
+  if (command.smt2_folder) {
+    std::size_t i = 0;
+    maps([&](const TopologicalMap& map) {
+      write_problem(*command.smt2_folder, fmt::format("map-{}.smt2", i++), trace, arrivals(map),
+                    axioms);
+    });
+  }
+  if (!report.complete) return exit_undecided;
+  return report.consistent.value_or(0) > 0 ? exit_consistent : exit_inconsistent;
+}
+
+}  // namespace asterism

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "core/map_report.hpp"
+#include "engine/explain.hpp"
+
+namespace asterism {
+
+/// A run's findings in words.
+/// @param most_maps  maps to spell out; of the others only the number is told
+std::string report_text(const MapReport& report, std::size_t visits, std::size_t most_maps);
+
+/// One map in words: which visits were to one place, the paths with their places in order.
+std::string map_text(const TopologicalMap& map);
+
+/// Why a map cannot be, in words.
+std::string refutation_text(const Refutation& refutation, const TopologicalMap& map,
+                            const AxiomSet& axioms);
+
+}  // namespace asterism

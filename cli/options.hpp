@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axioms/axiom_set.hpp"
+#include "core/map_report.hpp"
+
+namespace asterism {
+
+/// What a subcommand was asked, as read from the command line.
+
+struct AxiomOptions {
+  std::optional<std::string> folder;  ///< absent: the shipped axioms
+  std::vector<std::string> optional;  ///< names, switched on
+
+  /// @throws InputError if they cannot be read
+  AxiomSet read() const {
+    return folder ? AxiomSet::read(*folder, optional) : AxiomSet::shipped(optional);
+  }
+};
+
+struct MapCommand {
+  std::string trace;
+  MapOptions options;
+  AxiomOptions axioms;
+  std::size_t visits = 0;  ///< of the trace
+  std::optional<std::string> json;         ///< file, or "-"
+  std::optional<std::string> svg_folder;
+  std::optional<std::string> smt2_folder;
+  std::vector<std::size_t> why_not;        ///< place of each visit, up to the one in question
+};
+
+struct SimulateCommand {
+  std::string world = "grid";  ///< or "corridors"
+  std::uint64_t seed = 0;
+  std::size_t travels = 20;
+  std::size_t width = 4;
+  std::size_t height = 4;
+  double missing = 0.2;
+  double stubs = 0.1;
+  std::size_t corridors = 7;
+  bool laps = false;
+  bool plain = false;  ///< arms as the world lists them
+  std::string output = "-";
+  std::optional<std::string> true_map;
+};
+
+/// Each prints its result on stdout, progress on stderr, and returns the exit code.
+int map_command(const MapCommand& command);
+int simulate_command(const SimulateCommand& command);
+int axioms_command(const AxiomOptions& options);
+int validate_command(const std::vector<std::string>& files);
+std::string version_text();
+
+/// Exit codes, beside those of sysexits.h.                                           [STYLE §5]
+enum ExitCode {
+  exit_consistent = 0,
+  exit_inconsistent = 1,
+  exit_undecided = 2,
+  exit_usage = 64,
+  exit_bad_input = 65,
+  exit_internal = 70
+};
+
+}  // namespace asterism

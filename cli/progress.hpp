@@ -1,0 +1,38 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace asterism {
+
+/// Watches a long search: tells on stderr how far it is, and when it must stop.
+class Progress {
+ public:
+  explicit Progress(std::size_t visits, std::optional<double> time_limit_s);
+  ~Progress();
+  Progress(const Progress&) = delete;
+
+  /// @return whether to go on
+  bool operator()(std::size_t visit, std::uint64_t hypotheses);
+  /// A line of what goes on now, if the run has been long.
+  void say(const std::string& what);
+  /// Why it said to stop.
+  const std::optional<std::string>& stopped_by() const { return stopped_by_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void show(const std::string& line);
+
+  std::size_t visits_;
+  std::optional<double> time_limit_s_;
+  bool is_terminal_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point shown_ = begin_;
+  bool line_is_open_ = false;
+  std::optional<std::string> stopped_by_;
+};
+
+}  // namespace asterism

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "cli/options.hpp"
+#include "core/error.hpp"
+#include "io/maps_file.hpp"
+#include "io/trace_file.hpp"
+#include "simulation/corridor_world.hpp"
+#include "simulation/grid_world.hpp"
+#include "simulation/walk.hpp"
+
+namespace asterism {
+namespace {
+
+World make_world(const SimulateCommand& command, RandomEngine& engine) {
+  if (command.world == "corridors")
+    return corridor_world({.corridors = command.corridors}, engine);
+  return grid_world({.width = command.width,
+                     .height = command.height,
+                     .missing = command.missing,
+                     .stubs = command.stubs},
+                    engine);
+}
+
+/// The truth as a maps file of one map.
+MapReport report_of(const Walk& walk) {
+  MapReport report;
+  report.trace = walk.trace.name;
+  report.maps.push_back(make_map(walk.trace, walk.truth));
+  report.minimal = {.paths = report.maps.front().paths.size(),
+                    .places = report.maps.front().places.size(),
+                    .count = 1,
+                    .certified = false};
+  return report;
+}
+
+}  // namespace
+
+int simulate_command(const SimulateCommand& command) {
+  RandomEngine engine(command.seed);
+  Walk walked = [&] {
+    try {
+      const World world = make_world(command, engine);
+      return walk(world,
+                  {.travels = command.travels,
+                   .policy = command.laps ? Policy::laps : Policy::explore,
+                   .disguised = !command.plain},
+                  engine);
+    } catch (const std::invalid_argument& error) {
+      throw InputError("simulate: " + std::string(error.what()));
+    }
+  }();
+  walked.trace.name = fmt::format("{}-seed-{}", command.world, command.seed);
+  if (command.output == "-")
+    fmt::print("{}", trace_json(walked.trace));
+  else
+    write_trace_file(command.output, walked.trace);
+  if (command.true_map) write_maps_file(*command.true_map, report_of(walked));
+  return exit_consistent;
+}
+
+}  // namespace asterism
