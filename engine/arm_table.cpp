@@ -2,7 +2,14 @@
 
 #include <stdexcept>
 
+#include "core/error.hpp"
+
 namespace asterism {
+namespace {
+
+constexpr std::size_t max_arms = (1 << 21) - 1;
+
+}  // namespace
 
 void ArmTable::append(const Visit& visit) {
   const std::size_t k = visits();
@@ -16,6 +23,8 @@ void ArmTable::append(const Visit& visit) {
       throw std::invalid_argument(where + ": found arm " + visit.star.name(*arm) +
                                   " without gateway; expected α = 1");
 
+  if (arms_.size() + visit.star.size() > max_arms)
+    throw Error(where + ": found more than " + std::to_string(max_arms) + " arms; expected fewer");
   const auto first_arm = static_cast<ArmIndex>(arms_.size());
   const auto star_size = static_cast<ArmIndex>(visit.star.size());
   for (ArmIndex i = 0; i < star_size; ++i) {
@@ -25,7 +34,18 @@ void ArmTable::append(const Visit& visit) {
                      visit.star.has_gateway(i)});
   }
   const auto entered = first_arm + static_cast<ArmIndex>(visit.entered_by.value_or(0));
-  visits_.push_back({first_arm, star_size, entered, 0});
+  const auto first_gateway = static_cast<ArmIndex>(gateways_.size());
+  for (ArmIndex arm = first_arm; arm < first_arm + star_size; ++arm)
+    if (has_gateway(arm)) gateways_.push_back(arm);
+  visits_.push_back({.first_arm = first_arm,
+                     .star_size = star_size,
+                     .entered = entered,
+                     .left_steps = 0,
+                     .first_gateway = first_gateway,
+                     .gateways = static_cast<ArmIndex>(gateways_.size()) - first_gateway});
+  for (ArmIndex step = 1; step <= star_size; ++step)
+    if (const ArmIndex arm = clockwise(entered, step); has_gateway(arm))
+      gateways_after_entered_.push_back(arm);
   trace_.visits.push_back(visit);
   set_left_steps();
 }

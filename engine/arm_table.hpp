@@ -31,6 +31,16 @@ class ArmTable {
   ArmIndex star_size(std::size_t visit) const { return visits_[visit].star_size; }
   /// ArmIndex of the visit's own star by which it was entered (the first, if it does not say).
   ArmIndex entered(std::size_t visit) const { return visits_[visit].entered; }
+  /// The gateways of the visit's own star, in order.
+  std::span<const ArmIndex> gateways(std::size_t visit) const {
+    const VisitFacts& facts = visits_[visit];
+    return std::span(gateways_).subspan(facts.first_gateway, facts.gateways);
+  }
+  /// The same clockwise from the arm entered by, without that.
+  std::span<const ArmIndex> gateways_after_entered(std::size_t visit) const {
+    const VisitFacts& facts = visits_[visit];
+    return std::span(gateways_after_entered_).subspan(facts.first_gateway, facts.gateways - 1);
+  }
   /// What was seen on arrival, read from the arm entered by: views are equal iff their numbers are.
   ArmIndex seen(std::size_t visit) const { return arms_[visits_[visit].entered].view; }
   /// Number of different views so far.
@@ -42,9 +52,10 @@ class ArmTable {
   bool has_gateway(ArmIndex arm) const { return arms_[arm].has_gateway; }
   /// The arm `steps` clockwise from `arm` in the star of its place.
   ArmIndex clockwise(ArmIndex arm, ArmIndex steps) const {
-    const auto& place = visits_[visit_of(arm)];
-    const ArmIndex at = arm - place.first_arm + steps % place.star_size;
-    return place.first_arm + (at < place.star_size ? at : at - place.star_size);
+    const VisitFacts& place = visits_[visit_of(arm)];
+    ArmIndex at = arm - place.first_arm + steps;
+    while (at >= place.star_size) at -= place.star_size;  // a division would cost as much as a node
+    return place.first_arm + at;
   }
   /// The arm the robot left visit k by, if it came in by `entered`.
   ArmIndex left(std::size_t visit, ArmIndex entered) const {
@@ -68,6 +79,8 @@ class ArmTable {
     ArmIndex star_size;
     ArmIndex entered;
     ArmIndex left_steps;  ///< from the arm entered by, clockwise
+    ArmIndex first_gateway;
+    ArmIndex gateways;
   };
 
   void set_left_steps();
@@ -75,6 +88,8 @@ class ArmTable {
   Trace trace_;
   std::vector<ArmFacts> arms_;
   std::vector<VisitFacts> visits_;
+  std::vector<ArmIndex> gateways_;
+  std::vector<ArmIndex> gateways_after_entered_;  ///< as long: one to spare a visit
   std::map<std::vector<std::size_t>, ArmIndex> view_numbers_;
 };
 

@@ -32,8 +32,8 @@ unsigned milliseconds_until(Clock::time_point deadline) {
   return left.count() < 1 ? 1U : static_cast<unsigned>(left.count());
 }
 
-Verdict check_model(const ArmTable& table, const AxiomSet& axioms,
-                    std::span<const ArmIndex> named, unsigned timeout_ms) {
+Verdict check_model(const ArmTable& table, const AxiomSet& axioms, std::span<const ArmIndex> named,
+                    unsigned timeout_ms) {
   AxiomSolver solver(axioms, timeout_ms);
   solver.add(general_facts());
   for (std::size_t k = 0; k < named.size(); ++k) solver.add(visit_facts(table, named.first(k + 1)));
@@ -205,12 +205,12 @@ class PreferredMap {
     bool any = false;
     grounder_.push();
     for (std::size_t k = 1; k < named.size(); ++k) {
-      const auto facts =
-          travel_facts(table_, k, table_.left(k - 1, named[k - 1]), named[k]);
+      const auto facts = travel_facts(table_, k, table_.left(k - 1, named[k - 1]), named[k]);
       for (const Fact& fact : facts) {
         any |= assert_new(z3::implies(at(k - 1, named[k - 1]) && at(k, named[k]),
                                       vocabulary_.atom(grounder_.atom(fact))));
-        grounder_.add(fact, [&](const Grounder::Instance& instance) { any |= assert_new(instance); });
+        grounder_.add(fact,
+                      [&](const Grounder::Instance& instance) { any |= assert_new(instance); });
       }
     }
     grounder_.pop();
@@ -242,17 +242,16 @@ class PreferredMap {
   std::vector<std::vector<ArmIndex>> choices_;  ///< of each visit
   std::vector<z3::expr> linked_;                ///< one a gateway that may get a segment
   std::map<std::pair<ArmIndex, ArmIndex>, bool> may_show_;
-  std::set<unsigned> asserted_;   ///< ids of formulas, valid while ...
-  std::vector<z3::expr> kept_;    ///< ... they are kept
+  std::set<unsigned> asserted_;  ///< ids of formulas, valid while ...
+  std::vector<z3::expr> kept_;   ///< ... they are kept
 };
 
 }  // namespace
 
 Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
                     std::span<const std::vector<Arrival>> models, double seconds) {
-  const auto deadline =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                         std::chrono::duration<double>(std::min(seconds, 1e6)));
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(std::min(seconds, 1e6)));
   ArmTable table;
   for (const Visit& visit : trace.visits) table.append(visit);
 
@@ -263,17 +262,23 @@ Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
     if (rank(map, axioms) != *best || (planar && !is_planar(map))) return Certificate::refuted;
     if (Clock::now() > deadline) return Certificate::not_shown;
     switch (check_model(table, axioms, table.named(model), milliseconds_until(deadline))) {
-      case Verdict::inconsistent: return Certificate::refuted;
-      case Verdict::undecided: return Certificate::not_shown;
-      case Verdict::consistent: break;
+      case Verdict::inconsistent:
+        return Certificate::refuted;
+      case Verdict::undecided:
+        return Certificate::not_shown;
+      case Verdict::consistent:
+        break;
     }
   }
   if (!best) throw std::invalid_argument("no models to certify");
   try {
     switch (PreferredMap(table, axioms, planar, *best, deadline).exists()) {
-      case Verdict::inconsistent: return Certificate::shown;
-      case Verdict::consistent: return Certificate::refuted;
-      case Verdict::undecided: break;
+      case Verdict::inconsistent:
+        return Certificate::shown;
+      case Verdict::consistent:
+        return Certificate::refuted;
+      case Verdict::undecided:
+        break;
     }
   } catch (const z3::exception& error) {
     throw SolverError(std::string("z3: ") + error.msg());

@@ -80,8 +80,7 @@ std::optional<Refutation> explain_dropped(const Trace& trace, std::span<const Ar
   result.arms.assign(arms.begin(), arms.end());
   std::set<VisitId> visits;
   for (std::size_t i = problem.general; i < problem.facts.size(); ++i)
-    if (std::find(clash->facts.begin(), clash->facts.end(), problem.facts[i]) !=
-        clash->facts.end())
+    if (std::find(clash->facts.begin(), clash->facts.end(), problem.facts[i]) != clash->facts.end())
       visits.insert(VisitId(problem.visit_of_fact[i - problem.general]));
   result.visits.assign(visits.begin(), visits.end());
   return result;

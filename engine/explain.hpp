@@ -22,8 +22,8 @@ struct Refutation {
 };
 
 /// The reason why data association `child` (the last visit is where the child was dropped) does not
-/// explain the trace: an irredundant set of axioms, found by the solver anew; or, where those accept
-/// it, planarity, with the gateways of the segment that closes outside its face.
+/// explain the trace: an irredundant set of axioms, found by the solver anew; or, where those
+/// accept it, planarity, with the gateways of the segment that closes outside its face.
 ///
 /// @param child  for a prefix of the trace
 /// @return  nothing if it is consistent, or the solver did not say in time

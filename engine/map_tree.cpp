@@ -1,6 +1,5 @@
 #include "engine/map_tree.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -14,10 +13,10 @@
 namespace asterism {
 namespace {
 
-/// The extents to minimise, in order of preference: smaller is preferred.
+/// The extents to minimise, in order of preference: the smaller rank is preferred.
 class Preference {
  public:
-  using Rank = std::array<std::uint32_t, 3>;
+  using Rank = std::uint64_t;
 
   explicit Preference(const std::vector<std::string>& extents) {
     for (const std::string& extent : extents)
@@ -26,12 +25,14 @@ class Preference {
                                            : &Extents::segments);
   }
   Rank rank(const Extents& extents) const {
-    Rank result{};
-    for (std::size_t i = 0; i < order_.size(); ++i) result[i] = extents.*order_[i];
+    Rank result = 0;
+    for (const auto extent : order_) result = result << bits | extents.*extent;
     return result;
   }
 
  private:
+  static constexpr int bits = 21;  // three extents to a rank; a trace has fewer arms: max_arms
+
   std::vector<std::uint32_t Extents::*> order_;
 };
 
@@ -89,6 +90,7 @@ class MapTree::Growing::Pass {
         old_(growing.tree.nodes()),
         levels_before_(levels_before),
         levels_(growing.table.visits()),
+        max_hypotheses_(growing.options.max_hypotheses),
         per_visit_(growing.per_visit) {
     per_visit_.resize(levels_, 0);
   }
@@ -100,6 +102,7 @@ class MapTree::Growing::Pass {
     else if (!old_.empty())
       replay(0);
     if (growth_ != Growth::complete) return growth_;
+    next_.shrink();
     growing_.tree = std::move(next_);
     growing_.per_visit = std::move(per_visit_);
     growing_.minimal = std::move(minimal_);
@@ -112,45 +115,55 @@ class MapTree::Growing::Pass {
     for (bool more = true; more && growth_ == Growth::complete;) {
       const Preorder::Node node = old_[at_++];
       more = node.has_next_sibling;
+      const Step step = engine_.step(k, node.arm);
       siblings.begin(node.arm);
-      engine_.enter(k, node.arm);
+      engine_.enter(k, node.arm, step);
       const bool lives = k + 1 < levels_before_ ? replay(k + 1) : grow(k + 1);
-      engine_.leave(k, node.arm);
+      engine_.leave(k, node.arm, step);
       lives ? siblings.keep() : siblings.take_back();
     }
     return siblings.any();
   }
 
   bool grow(std::size_t k) {
+    if (k + 1 == levels_) return grow_leaves(k);
     Preorder::Siblings siblings(next_);
-    engine_.for_each_child(k, [&](ArmIndex arm) {
+    engine_.for_each_child(k, [&](ArmIndex arm, auto step) {
       if (growth_ != Growth::complete) return;
-      count(k);
+      count(k, 1);
+      if (engine_.leads_nowhere(k, arm, step)) return;
       siblings.begin(arm);
-      if (k + 1 == levels_) {
-        rank(engine_.extents_after(k, arm));
-        siblings.keep();
-        return;
-      }
-      engine_.enter(k, arm);
+      engine_.enter(k, arm, step);
       const bool lives = grow(k + 1);
-      engine_.leave(k, arm);
+      engine_.leave(k, arm, step);
       lives ? siblings.keep() : siblings.take_back();
     });
     return siblings.any();
   }
 
-  void count(std::size_t k) {
-    if (++per_visit_[k] > growing_.options.max_hypotheses) growth_ = Growth::too_many;
-    until_question_ += std::is_same_v<E, NativeEngine> ? 1 : children_a_solver_call;
-    if (until_question_ < children_between_questions) return;
+  bool grow_leaves(std::size_t k) {
+    Preorder::Siblings siblings(next_);
+    std::uint64_t children = 0;
+    engine_.for_each_child(k, [&](ArmIndex arm, auto step) {
+      ++children;
+      siblings.begin(arm);
+      siblings.keep();
+      rank(growing_.preference.rank(engine_.extents_after(k, arm, step)));
+    });
+    count(k, children);
+    return siblings.any();
+  }
+
+  void count(std::size_t k, std::uint64_t children) {
+    if ((per_visit_[k] += children) > max_hypotheses_) growth_ = Growth::too_many;
+    constexpr std::uint64_t weight = std::is_same_v<E, NativeEngine> ? 1 : children_a_solver_call;
+    if ((until_question_ += weight * children) < children_between_questions) return;
     until_question_ = 0;
     if (growing_.options.go_on && !growing_.options.go_on(k, per_visit_[k]))
       growth_ = Growth::stopped;
   }
 
-  void rank(const Extents& extents) {
-    const auto rank = growing_.preference.rank(extents);
+  void rank(Preference::Rank rank) {
     if (leaves_ == 0 || rank < best_) {
       best_ = rank;
       minimal_.clear();
@@ -165,13 +178,14 @@ class MapTree::Growing::Pass {
   std::size_t at_ = 0;  ///< in old_
   std::size_t levels_before_;
   std::size_t levels_;
+  std::uint64_t max_hypotheses_;
   std::uint64_t until_question_ = 0;
   Growth growth_ = Growth::complete;
 
   Preorder next_;
   std::vector<std::uint64_t> per_visit_;
   std::size_t leaves_ = 0;
-  Preference::Rank best_{};
+  Preference::Rank best_ = 0;
   std::vector<HypothesisId> minimal_;
 };
 

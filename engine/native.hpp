@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "engine/arm_table.hpp"
@@ -15,6 +16,13 @@ struct Extents {
   std::uint32_t places = 0;
   std::uint32_t segments = 0;
 };
+
+/// How a visit is explained: by the segment travelled before, by a new segment to a place known, or
+/// by a new segment to a new place.                                            [BMK10, Fig. 5]
+enum class Step { known, closure, new_place };
+/// A step known when compiling: the tree's loop is compiled for each apart.
+template <Step step>
+using StepConstant = std::integral_constant<Step, step>;
 
 /// The axioms as incremental bookkeeping: one hypothesis at a time, grown and shrunk by a visit.
 ///
@@ -39,39 +47,80 @@ class NativeEngine {
   /// Begins again with the empty hypothesis, and room for all visits of the arm table.
   void reset();
 
-  /// Calls f(arm) for each way in which the hypothesis can explain visit k.  [BMK10, Fig. 5]
+  /// Calls f(arm, step) for each way in which the hypothesis can explain visit k.  [BMK10, Fig. 5]
   /// Closures come in the order of arms (of the face, where planar), the new place last.
   /// @pre the hypothesis explains the visits before k
   template <class F>
   void for_each_child(std::size_t k, F&& f) {
-    if (k == 0) return f(table_.entered(0));
+    if (k == 0) return f(table_.entered(0), StepConstant<Step::new_place>{});
     const ArmIndex x = left_[k - 1];
-    if (linked_[x] != none) {
-      if (table_.view(linked_[x]) == table_.seen(k)) f(linked_[x]);
+    const ArmIndex seen = table_.seen(k);
+    if (const ArmIndex to = linked_[x]; to != none) {
+      if (table_.view(to) == seen) f(to, StepConstant<Step::known>{});
       return;
     }
     if (options_.planar) {
       for (ArmIndex y = faces_.next(x); y != x; y = faces_.next(y))
-        if (table_.view(y) == table_.seen(k) && can_link(x, y)) f(y);
+        if (table_.view(y) == seen && can_link(x, y)) f(y, StepConstant<Step::closure>{});
     } else {
-      for (ArmIndex y = open_next_[head(table_.seen(k))]; y < table_.size(); y = open_next_[y])
-        if (can_link(x, y)) f(y);
+      const ArmIndex end = head(seen);
+      for (ArmIndex y = open_next_[end]; y != end; y = open_next_[y])
+        if (can_link(x, y)) f(y, StepConstant<Step::closure>{});
     }
-    f(table_.entered(k));
+    f(table_.entered(k), StepConstant<Step::new_place>{});
+  }
+
+  /// How visit k is explained by coming in by `arm`.
+  Step step(std::size_t k, ArmIndex arm) const {
+    if (table_.visit_of(arm) == k) return Step::new_place;
+    return linked_[left_[k - 1]] != none ? Step::known : Step::closure;
+  }
+
+  /// Whether the child in which visit k was entered by `arm` has no child itself: the next travel
+  /// is along a segment to what does not look like visit k + 1. Nothing else ends a branch, since a
+  /// new place is always possible.
+  bool leads_nowhere(std::size_t k, ArmIndex arm, Step step) const {
+    const ArmIndex left = table_.left(k, arm);
+    const ArmIndex to = step != Step::known && left == arm && k > 0 ? left_[k - 1] : linked_[left];
+    return to != none && table_.view(to) != table_.seen(k + 1);
   }
 
   /// Visit k was entered by `arm`.
-  void enter(std::size_t k, ArmIndex arm);
-  /// Undoes enter(k, arm).
-  void leave(std::size_t k, ArmIndex arm);
+  [[gnu::always_inline]] void enter(std::size_t k, ArmIndex arm, Step step) {
+    left_[k] = table_.left(k, arm);
+    if (step == Step::new_place) open_place(k);
+    if (step == Step::known || k == 0) return;
+    const ArmIndex x = left_[k - 1];
+    if (options_.planar) {
+      if (step == Step::new_place)
+        faces_.replace(x, table_.gateways_after_entered(k));
+      else
+        faces_.close(x, arm);
+    }
+    link(x, arm);
+  }
 
-  Extents extents() const { return extents_; }
-  /// What extents() would be after enter(k, arm).
-  Extents extents_after(std::size_t k, ArmIndex arm) const {
+  /// Undoes enter(k, arm, step).
+  [[gnu::always_inline]] void leave(std::size_t k, ArmIndex arm, Step step) {
+    if (step == Step::known) return;
+    if (k > 0) {
+      const ArmIndex x = left_[k - 1];
+      unlink(x, arm);
+      if (options_.planar) {
+        if (step == Step::new_place)
+          faces_.undo_replace(x);
+        else
+          faces_.undo_close(x, arm);
+      }
+    }
+    if (step == Step::new_place) close_place(k);
+  }
+
+  /// What the extents are after enter(k, arm, step).
+  Extents extents_after(std::size_t k, ArmIndex, Step step) const {
     Extents after = extents_;
-    if (k > 0 && linked_[left_[k - 1]] != none) return after;
-    if (k > 0) ++after.segments, --after.paths;
-    if (table_.visit_of(arm) == k) ++after.places, after.paths += table_.star_size(k) / 2;
+    if (step == Step::new_place) ++after.places, after.paths += table_.star_size(k) / 2;
+    if (step != Step::known && k > 0) ++after.segments, --after.paths;
     return after;
   }
 
@@ -97,11 +146,67 @@ class NativeEngine {
   void for_each_crossing(ArmIndex end, F&& f) const;
   ArmIndex end_of_path(ArmIndex arm) const;
 
-  void open_place(std::size_t k, ArmIndex entered);
-  void close_place(std::size_t k);
-  void link(ArmIndex x, ArmIndex y);
-  void unlink(ArmIndex x, ArmIndex y);
-  void list_last(ArmIndex gateway);
+  // A new place: every local-path is a path of its own, as reset() left it, every gateway open.
+  void open_place(std::size_t k) {
+    for (const ArmIndex gateway : table_.gateways(k)) {
+      const ArmIndex end = head(table_.view(gateway));
+      open_next_[gateway] = end;
+      open_previous_[gateway] = open_previous_[end];
+      relist(gateway);
+    }
+    if (options_.planar && k == 0) faces_.open(table_.gateways(0));
+    ++extents_.places;
+    extents_.paths += table_.star_size(k) / 2;
+  }
+  void close_place(std::size_t k) {
+    const auto gateways = table_.gateways(k);
+    for (std::size_t i = gateways.size(); i-- > 0;) unlist(gateways[i]);
+    --extents_.places;
+    extents_.paths -= table_.star_size(k) / 2;
+  }
+
+  // A segment joins the paths that end in x and in y into one, ending at their far ends.
+  void link(ArmIndex x, ArmIndex y) {
+    linked_[x] = y;
+    linked_[y] = x;
+    unlist(x);
+    unlist(y);
+    const ArmIndex a = far_end_[x];
+    const ArmIndex b = far_end_[y];
+    far_end_[a] = b;
+    far_end_[b] = a;
+    if (words_ == 1) {
+      places_[a] = places_[b] = places_[x] | places_[y];
+    } else {
+      for (std::size_t w = 0; w < words_; ++w)
+        places_[a * words_ + w] = places_[b * words_ + w] =
+            places_[x * words_ + w] | places_[y * words_ + w];
+    }
+    --extents_.paths;
+    ++extents_.segments;
+  }
+  // x and y still know the paths that ended in them.
+  void unlink(ArmIndex x, ArmIndex y) {
+    linked_[x] = linked_[y] = none;
+    relist(y);
+    relist(x);
+    const ArmIndex a = far_end_[x];
+    const ArmIndex b = far_end_[y];
+    far_end_[a] = x;
+    far_end_[b] = y;
+    if (words_ == 1) {
+      places_[a] = places_[x];
+      places_[b] = places_[y];
+    } else {
+      for (std::size_t w = 0; w < words_; ++w) {
+        places_[a * words_ + w] = places_[x * words_ + w];
+        places_[b * words_ + w] = places_[y * words_ + w];
+      }
+    }
+    ++extents_.paths;
+    --extents_.segments;
+  }
+
   void unlist(ArmIndex gateway) {
     open_next_[open_previous_[gateway]] = open_next_[gateway];
     open_previous_[open_next_[gateway]] = open_previous_[gateway];
@@ -114,16 +219,14 @@ class NativeEngine {
   const ArmTable& table_;
   Options options_;
   Extents extents_;
-  std::size_t words_ = 1;                ///< of a set of places, a bit a visit
-  std::vector<ArmIndex> left_;           ///< arm by which visit k was left
-  std::vector<std::uint8_t> travelled_;  ///< whether visit k brought a new segment
-  std::vector<ArmIndex> linked_;         ///< gateway at the other end of the segment
-  std::vector<ArmIndex> far_end_;        ///< of an end of a path: its other end
-  std::vector<std::uint64_t> places_;    ///< of an end of a path: the places of the path
+  std::size_t words_ = 1;              ///< of a set of places, a bit a visit
+  std::vector<ArmIndex> left_;         ///< arm by which visit k was left
+  std::vector<ArmIndex> linked_;       ///< gateway at the other end of the segment
+  std::vector<ArmIndex> far_end_;      ///< of an end of a path: its other end
+  std::vector<std::uint64_t> places_;  ///< of an end of a path: the places of the path
   std::vector<ArmIndex> open_next_;
   std::vector<ArmIndex> open_previous_;
   FaceLists faces_;
-  std::vector<ArmIndex> scratch_;
 };
 
 }  // namespace asterism

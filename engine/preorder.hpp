@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,7 +18,12 @@ class Preorder {
     std::uint32_t has_next_sibling : 1;
   };
 
-  std::span<const Node> nodes() const { return nodes_; }
+  std::span<const Node> nodes() const { return std::span(nodes_).first(size_); }
+  /// Gives up the room kept for growth.
+  void shrink() {
+    nodes_.resize(size_);
+    nodes_.shrink_to_fit();
+  }
   std::size_t memory_bytes() const { return nodes_.capacity() * sizeof(Node); }
 
   /// Calls f(leaf number, arms from the root down) for every leaf, in order, until it returns
@@ -27,7 +33,7 @@ class Preorder {
     std::vector<ArmIndex> named;
     std::vector<bool> has_next_sibling;
     std::uint64_t leaf = 0;
-    for (const Node node : nodes_) {
+    for (const Node node : nodes()) {
       named.push_back(node.arm);
       has_next_sibling.push_back(node.has_next_sibling);
       if (named.size() < levels) continue;
@@ -46,29 +52,35 @@ class Preorder {
   /// written below it, or is taken back.
   class Siblings {
    public:
-    explicit Siblings(Preorder& tree) : nodes_(tree.nodes_) {}
+    explicit Siblings(Preorder& tree) : tree_(tree) {}
 
     void begin(ArmIndex arm) {
-      begun_ = nodes_.size();
-      nodes_.push_back({arm & 0x7fffffffu, 0});
+      begun_ = tree_.size_;
+      tree_.push(arm);
     }
     void keep() {
-      if (any_) nodes_[last_].has_next_sibling = 1;
+      if (any_) tree_.nodes_[last_].has_next_sibling = 1;
       last_ = begun_;
       any_ = true;
     }
-    void take_back() { nodes_.resize(begun_); }
+    void take_back() { tree_.size_ = begun_; }
     bool any() const { return any_; }
 
    private:
-    std::vector<Node>& nodes_;
+    Preorder& tree_;
     std::size_t begun_ = 0;
     std::size_t last_ = 0;
     bool any_ = false;
   };
 
  private:
+  void push(ArmIndex arm) {
+    if (size_ == nodes_.size()) nodes_.resize(std::max<std::size_t>(256, 2 * size_));
+    nodes_[size_++] = {arm & 0x7fffffffU, 0};
+  }
+
   std::vector<Node> nodes_;
+  std::size_t size_ = 0;  ///< of nodes_ in use
 };
 
 }  // namespace asterism

@@ -25,22 +25,22 @@ std::vector<ArmIndex> SolverEngine::candidates(std::size_t k) const {
 
 Verdict SolverEngine::decide(ArmIndex arm) {
   const std::size_t k = named_.size();
-  enter(k, arm);
+  enter(k, arm, step(k, arm));
   Verdict verdict = solver_.check();
-  leave(k, arm);
+  leave(k, arm, step(k, arm));
   if (verdict != Verdict::inconsistent && planar_ && !is_planar(map_with(arm)))
     verdict = Verdict::inconsistent;
   if (verdict == Verdict::undecided) ++undecided_;
   return verdict;
 }
 
-void SolverEngine::enter(std::size_t, ArmIndex arm) {
+void SolverEngine::enter(std::size_t, ArmIndex arm, Step) {
   named_.push_back(arm);
   solver_.push();
   solver_.add(visit_facts(table_, named_));
 }
 
-void SolverEngine::leave(std::size_t, ArmIndex) {
+void SolverEngine::leave(std::size_t, ArmIndex, Step) {
   named_.pop_back();
   solver_.pop();
 }
@@ -51,7 +51,7 @@ TopologicalMap SolverEngine::map_with(ArmIndex arm) const {
   return make_map(table_.trace(), table_.arrivals(named));
 }
 
-Extents SolverEngine::extents_after(std::size_t, ArmIndex arm) const {
+Extents SolverEngine::extents_after(std::size_t, ArmIndex arm, Step) const {
   const TopologicalMap map = map_with(arm);
   const auto size = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
   return {.paths = size(map.paths), .places = size(map.places), .segments = size(map.segments)};

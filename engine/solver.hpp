@@ -27,11 +27,15 @@ class SolverEngine {
   template <class F>
   void for_each_child(std::size_t k, F&& f) {
     for (const ArmIndex arm : candidates(k))
-      if (decide(arm) != Verdict::inconsistent) f(arm);
+      if (decide(arm) != Verdict::inconsistent) f(arm, step(k, arm));
   }
-  void enter(std::size_t k, ArmIndex arm);
-  void leave(std::size_t k, ArmIndex arm);
-  Extents extents_after(std::size_t k, ArmIndex arm) const;
+  Step step(std::size_t k, ArmIndex arm) const {
+    return table_.visit_of(arm) == k ? Step::new_place : Step::closure;  // whatever Z3 makes of it
+  }
+  bool leads_nowhere(std::size_t, ArmIndex, Step) const { return false; }  // Z3 will say
+  void enter(std::size_t k, ArmIndex arm, Step step);
+  void leave(std::size_t k, ArmIndex arm, Step step);
+  Extents extents_after(std::size_t k, ArmIndex arm, Step step) const;
 
   std::vector<ArmIndex> candidates(std::size_t k) const;
   Verdict decide(ArmIndex arm);
@@ -63,19 +67,23 @@ class BothEngines {
   template <class F>
   void for_each_child(std::size_t k, F&& f) {
     std::vector<ArmIndex> children;
-    native_.for_each_child(k, [&](ArmIndex arm) { children.push_back(arm); });
+    native_.for_each_child(k, [&](ArmIndex arm, Step) { children.push_back(arm); });
     compare(k, children);
-    for (const ArmIndex arm : children) f(arm);
+    for (const ArmIndex arm : children) f(arm, native_.step(k, arm));
   }
-  void enter(std::size_t k, ArmIndex arm) {
-    native_.enter(k, arm);
-    solver_.enter(k, arm);
+  Step step(std::size_t k, ArmIndex arm) const { return native_.step(k, arm); }
+  bool leads_nowhere(std::size_t, ArmIndex, Step) const { return false; }  // the solver must say so
+  void enter(std::size_t k, ArmIndex arm, Step step) {
+    native_.enter(k, arm, step);
+    solver_.enter(k, arm, step);
   }
-  void leave(std::size_t k, ArmIndex arm) {
-    solver_.leave(k, arm);
-    native_.leave(k, arm);
+  void leave(std::size_t k, ArmIndex arm, Step step) {
+    solver_.leave(k, arm, step);
+    native_.leave(k, arm, step);
   }
-  Extents extents_after(std::size_t k, ArmIndex arm) const { return native_.extents_after(k, arm); }
+  Extents extents_after(std::size_t k, ArmIndex arm, Step step) const {
+    return native_.extents_after(k, arm, step);
+  }
   std::uint64_t undecided() const { return solver_.undecided(); }
 
  private:
