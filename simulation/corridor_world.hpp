@@ -8,14 +8,14 @@
 namespace asterism {
 
 struct CorridorOptions {
-  std::size_t corridors = 7;  ///< to draw; one that finds no room is left out
-  double side_m = 60;         ///< of the square in which their middles lie
+  std::size_t corridors = 12;  ///< to draw; one that finds no room is left out
+  double side_m = 60;          ///< of the square in which their middles lie
   double min_length_m = 30;
   double max_length_m = 70;
   double clearance_m = 3;      ///< between crossings, and of ends from other corridors
   double ends_crossing = 0.4;  ///< probability that a corridor ends at its last crossing
   double ends_blind = 0.1;     ///< ... goes on beyond it as a blind stub; else to a dead end
-  std::size_t min_places = 3;  ///< of the part that is kept
+  std::size_t min_places = 5;  ///< of the part that is kept
 };
 
 /// Straight corridors at random angles, crossing two at a time. Local-path c3 is of corridor 3.

@@ -1,7 +1,5 @@
 #include <unistd.h>
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
