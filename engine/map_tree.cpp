@@ -19,25 +19,20 @@ class Preference {
   using Rank = std::uint64_t;
 
   explicit Preference(const std::vector<std::string>& extents) {
-    for (const std::string& extent : extents)
-      order_.push_back(extent == "path"    ? &Extents::paths
-                       : extent == "place" ? &Extents::places
-                                           : &Extents::segments);
+    constexpr Rank one_more = Rank{1} << 21;  // than any extent: see ArmTable
+    Rank weight = 1;
+    for (auto extent = extents.rbegin(); extent != extents.rend(); ++extent, weight *= one_more)
+      (*extent == "path" ? paths_ : *extent == "place" ? places_ : segments_) = weight;
   }
   Rank rank(const Extents& extents) const {
-    Rank result = 0;
-    for (const auto extent : order_) result = result << bits | extents.*extent;
-    return result;
+    return paths_ * extents.paths + places_ * extents.places + segments_ * extents.segments;
   }
 
  private:
-  static constexpr int bits = 21;  // three extents to a rank; a trace has fewer arms: max_arms
-
-  std::vector<std::uint32_t Extents::*> order_;
+  Rank paths_ = 0;
+  Rank places_ = 0;
+  Rank segments_ = 0;
 };
-
-constexpr std::uint64_t children_between_questions = 1 << 16;
-constexpr std::uint64_t children_a_solver_call = 1 << 10;  // take about as long
 
 using Engine = std::variant<NativeEngine, SolverEngine, BothEngines>;
 
@@ -111,7 +106,7 @@ class MapTree::Growing::Pass {
 
  private:
   bool replay(std::size_t k) {
-    Preorder::Siblings siblings(next_);
+    Preorder::Siblings siblings(next_, levels_);
     for (bool more = true; more && growth_ == Growth::complete;) {
       const Preorder::Node node = old_[at_++];
       more = node.has_next_sibling;
@@ -126,40 +121,36 @@ class MapTree::Growing::Pass {
   }
 
   bool grow(std::size_t k) {
-    if (k + 1 == levels_) return grow_leaves(k);
-    Preorder::Siblings siblings(next_);
+    Preorder::Siblings siblings(next_, levels_);
     engine_.for_each_child(k, [&](ArmIndex arm, auto step) {
       if (growth_ != Growth::complete) return;
-      count(k, 1);
-      if (engine_.leads_nowhere(k, arm, step)) return;
+      std::size_t end = k + 1;
+      count(k);
+      if (end < levels_) {
+        const auto run = engine_.follow(k, arm, step);
+        for (; end < run.end; ++end) count(end);
+        if (!run.lives) return;
+      }
       siblings.begin(arm);
+      for (std::size_t visit = k + 1; visit < end; ++visit)
+        siblings.add_below(engine_.arrived(visit));
+      if (end == levels_) {
+        rank(growing_.preference.rank(engine_.extents_after(k, arm, step)));
+        return siblings.keep();
+      }
       engine_.enter(k, arm, step);
-      const bool lives = grow(k + 1);
+      const bool any = grow(end);
       engine_.leave(k, arm, step);
-      lives ? siblings.keep() : siblings.take_back();
+      any ? siblings.keep() : siblings.take_back();
     });
     return siblings.any();
   }
 
-  bool grow_leaves(std::size_t k) {
-    Preorder::Siblings siblings(next_);
-    std::uint64_t children = 0;
-    engine_.for_each_child(k, [&](ArmIndex arm, auto step) {
-      ++children;
-      siblings.begin(arm);
-      siblings.keep();
-      rank(growing_.preference.rank(engine_.extents_after(k, arm, step)));
-    });
-    count(k, children);
-    return siblings.any();
-  }
-
-  void count(std::size_t k, std::uint64_t children) {
-    if ((per_visit_[k] += children) > max_hypotheses_) growth_ = Growth::too_many;
-    constexpr std::uint64_t weight = std::is_same_v<E, NativeEngine> ? 1 : children_a_solver_call;
-    if ((until_question_ += weight * children) < children_between_questions) return;
-    until_question_ = 0;
-    if (growing_.options.go_on && !growing_.options.go_on(k, per_visit_[k]))
+  void count(std::size_t visit) {
+    if (++per_visit_[visit] > max_hypotheses_) growth_ = Growth::too_many;
+    if (--until_question_ > 0) return;
+    until_question_ = children_between_questions;
+    if (growing_.options.go_on && !growing_.options.go_on(visit, per_visit_[visit]))
       growth_ = Growth::stopped;
   }
 
@@ -179,7 +170,9 @@ class MapTree::Growing::Pass {
   std::size_t levels_before_;
   std::size_t levels_;
   std::uint64_t max_hypotheses_;
-  std::uint64_t until_question_ = 0;
+  static constexpr std::uint64_t children_between_questions =
+      std::is_same_v<E, NativeEngine> ? 1 << 16 : 64;  // some milliseconds
+  std::uint64_t until_question_ = children_between_questions;
   Growth growth_ = Growth::complete;
 
   Preorder next_;

@@ -8,6 +8,7 @@ void NativeEngine::reset() {
   const std::size_t arms = table_.size();
   words_ = (table_.visits() + 63) / 64;
   extents_ = {};
+  arrived_.assign(table_.visits(), none);
   left_.assign(table_.visits(), none);
   linked_.assign(arms, none);
   far_end_.resize(arms);
@@ -17,9 +18,10 @@ void NativeEngine::reset() {
     far_end_[arm] = table_.opposite(arm);
     places_[arm * words_ + place / 64] = std::uint64_t{1} << (place % 64);
   }
-  open_next_.resize(arms + table_.views());
-  for (std::size_t i = 0; i < open_next_.size(); ++i) open_next_[i] = static_cast<ArmIndex>(i);
-  open_previous_ = open_next_;
+  open_.assign((arms + 63) / 64, 0);
+  alike_.assign(open_.size() * table_.views(), 0);
+  for (ArmIndex arm = 0; arm < arms; ++arm)
+    alike_[table_.view(arm) * open_.size() + arm / 64] |= std::uint64_t{1} << (arm % 64);
   if (options_.planar) faces_.reset(arms);
 }
 

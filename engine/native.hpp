@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -63,9 +64,13 @@ class NativeEngine {
       for (ArmIndex y = faces_.next(x); y != x; y = faces_.next(y))
         if (table_.view(y) == seen && can_link(x, y)) f(y, StepConstant<Step::closure>{});
     } else {
-      const ArmIndex end = head(seen);
-      for (ArmIndex y = open_next_[end]; y != end; y = open_next_[y])
-        if (can_link(x, y)) f(y, StepConstant<Step::closure>{});
+      const std::uint64_t* const alike = &alike_[seen * open_.size()];
+      for (std::size_t w = 0; w < open_.size(); ++w)
+        for (std::uint64_t open = open_[w] & alike[w]; open != 0; open &= open - 1) {
+          const auto y =
+              static_cast<ArmIndex>(w * 64 + static_cast<unsigned>(std::countr_zero(open)));
+          if (can_link(x, y)) f(y, StepConstant<Step::closure>{});
+        }
     }
     f(table_.entered(k), StepConstant<Step::new_place>{});
   }
@@ -76,14 +81,29 @@ class NativeEngine {
     return linked_[left_[k - 1]] != none ? Step::known : Step::closure;
   }
 
-  /// Whether the child in which visit k was entered by `arm` has no child itself: the next travel
-  /// is along a segment to what does not look like visit k + 1. Nothing else ends a branch, since a
-  /// new place is always possible.
-  bool leads_nowhere(std::size_t k, ArmIndex arm, Step step) const {
-    const ArmIndex left = table_.left(k, arm);
-    const ArmIndex to = step != Step::known && left == arm && k > 0 ? left_[k - 1] : linked_[left];
-    return to != none && table_.view(to) != table_.seen(k + 1);
+  /// Coming in by `arm` at visit k leaves no choice while the travels that follow are along known
+  /// segments: up to visit `end`, by arms arrived(k) to arrived(end - 1). Such a travel may lead to
+  /// what does not look like the visit `end`: nothing else ends a branch, since a new place is
+  /// always possible.  Looks before enter(k, arm, step).
+  struct Run {
+    std::size_t end;
+    bool lives;
+  };
+  Run follow(std::size_t k, ArmIndex arm, Step step) {
+    // The segment between x and y is one that enter() will make.
+    const ArmIndex x = step == Step::known || k == 0 ? none : left_[k - 1];
+    const ArmIndex y = x == none ? none : arm;
+    while (true) {
+      arrived_[k] = arm;
+      const ArmIndex left = left_[k] = table_.left(k, arm);
+      if (++k == arrived_.size()) return {k, true};
+      const ArmIndex to = left == x ? y : left == y ? x : linked_[left];
+      if (to == none) return {k, true};
+      if (table_.view(to) != table_.seen(k)) return {k, false};
+      arm = to;
+    }
   }
+  ArmIndex arrived(std::size_t k) const { return arrived_[k]; }
 
   /// Visit k was entered by `arm`.
   [[gnu::always_inline]] void enter(std::size_t k, ArmIndex arm, Step step) {
@@ -127,9 +147,6 @@ class NativeEngine {
  private:
   static constexpr ArmIndex none = std::numeric_limits<ArmIndex>::max();
 
-  /// Open gateways are kept in one circular list a view, whose head follows the arms.
-  ArmIndex head(ArmIndex view) const { return static_cast<ArmIndex>(table_.size()) + view; }
-
   bool can_link(ArmIndex x, ArmIndex y) const {
     if (words_ == 1) {
       if (places_[x] & places_[y]) return false;
@@ -148,29 +165,32 @@ class NativeEngine {
 
   // A new place: every local-path is a path of its own, as reset() left it, every gateway open.
   void open_place(std::size_t k) {
-    for (const ArmIndex gateway : table_.gateways(k)) {
-      const ArmIndex end = head(table_.view(gateway));
-      open_next_[gateway] = end;
-      open_previous_[gateway] = open_previous_[end];
-      relist(gateway);
-    }
-    if (options_.planar && k == 0) faces_.open(table_.gateways(0));
+    if (!options_.planar)
+      for (const ArmIndex gateway : table_.gateways(k)) mark_open(gateway);
+    else if (k == 0)
+      faces_.open(table_.gateways(0));
     ++extents_.places;
     extents_.paths += table_.star_size(k) / 2;
   }
   void close_place(std::size_t k) {
-    const auto gateways = table_.gateways(k);
-    for (std::size_t i = gateways.size(); i-- > 0;) unlist(gateways[i]);
+    if (!options_.planar)
+      for (const ArmIndex gateway : table_.gateways(k)) mark_closed(gateway);
     --extents_.places;
     extents_.paths -= table_.star_size(k) / 2;
+  }
+  void mark_open(ArmIndex gateway) { open_[gateway / 64] |= std::uint64_t{1} << (gateway % 64); }
+  void mark_closed(ArmIndex gateway) {
+    open_[gateway / 64] &= ~(std::uint64_t{1} << (gateway % 64));
   }
 
   // A segment joins the paths that end in x and in y into one, ending at their far ends.
   void link(ArmIndex x, ArmIndex y) {
     linked_[x] = y;
     linked_[y] = x;
-    unlist(x);
-    unlist(y);
+    if (!options_.planar) {
+      mark_closed(x);
+      mark_closed(y);
+    }
     const ArmIndex a = far_end_[x];
     const ArmIndex b = far_end_[y];
     far_end_[a] = b;
@@ -188,8 +208,10 @@ class NativeEngine {
   // x and y still know the paths that ended in them.
   void unlink(ArmIndex x, ArmIndex y) {
     linked_[x] = linked_[y] = none;
-    relist(y);
-    relist(x);
+    if (!options_.planar) {
+      mark_open(x);
+      mark_open(y);
+    }
     const ArmIndex a = far_end_[x];
     const ArmIndex b = far_end_[y];
     far_end_[a] = x;
@@ -207,25 +229,17 @@ class NativeEngine {
     --extents_.segments;
   }
 
-  void unlist(ArmIndex gateway) {
-    open_next_[open_previous_[gateway]] = open_next_[gateway];
-    open_previous_[open_next_[gateway]] = open_previous_[gateway];
-  }
-  void relist(ArmIndex gateway) {
-    open_next_[open_previous_[gateway]] = gateway;
-    open_previous_[open_next_[gateway]] = gateway;
-  }
-
   const ArmTable& table_;
   Options options_;
   Extents extents_;
-  std::size_t words_ = 1;              ///< of a set of places, a bit a visit
-  std::vector<ArmIndex> left_;         ///< arm by which visit k was left
-  std::vector<ArmIndex> linked_;       ///< gateway at the other end of the segment
-  std::vector<ArmIndex> far_end_;      ///< of an end of a path: its other end
+  std::size_t words_ = 1;          ///< of a set of places, a bit a visit
+  std::vector<ArmIndex> arrived_;  ///< arm by which visit k was entered, in the run followed last
+  std::vector<ArmIndex> left_;     ///< arm by which visit k was left
+  std::vector<ArmIndex> linked_;   ///< gateway at the other end of the segment
+  std::vector<ArmIndex> far_end_;  ///< of an end of a path: its other end
   std::vector<std::uint64_t> places_;  ///< of an end of a path: the places of the path
-  std::vector<ArmIndex> open_next_;
-  std::vector<ArmIndex> open_previous_;
+  std::vector<std::uint64_t> open_;    ///< gateways without a segment, a bit an arm; not if planar
+  std::vector<std::uint64_t> alike_;   ///< for each view, the arms that show it
   FaceLists faces_;
 };
 

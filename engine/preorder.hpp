@@ -52,12 +52,16 @@ class Preorder {
   /// written below it, or is taken back.
   class Siblings {
    public:
-    explicit Siblings(Preorder& tree) : tree_(tree) {}
+    /// @param levels  below which no descendant will be
+    Siblings(Preorder& tree, std::size_t levels) : tree_(tree), levels_(levels) {}
 
     void begin(ArmIndex arm) {
       begun_ = tree_.size_;
+      if (tree_.nodes_.size() < begun_ + levels_) tree_.make_room(levels_);
       tree_.push(arm);
     }
+    /// Below the one begun, a descendant in a line of only children.
+    void add_below(ArmIndex arm) { tree_.push(arm); }
     void keep() {
       if (any_) tree_.nodes_[last_].has_next_sibling = 1;
       last_ = begun_;
@@ -68,15 +72,16 @@ class Preorder {
 
    private:
     Preorder& tree_;
+    std::size_t levels_;
     std::size_t begun_ = 0;
     std::size_t last_ = 0;
     bool any_ = false;
   };
 
  private:
-  void push(ArmIndex arm) {
-    if (size_ == nodes_.size()) nodes_.resize(std::max<std::size_t>(256, 2 * size_));
-    nodes_[size_++] = {arm & 0x7fffffffU, 0};
+  void push(ArmIndex arm) { nodes_[size_++] = {arm & 0x7fffffffU, 0}; }
+  [[gnu::noinline]] void make_room(std::size_t nodes) {
+    nodes_.resize(std::max(std::size_t{256}, 2 * (size_ + nodes)));
   }
 
   std::vector<Node> nodes_;

@@ -32,7 +32,9 @@ class SolverEngine {
   Step step(std::size_t k, ArmIndex arm) const {
     return table_.visit_of(arm) == k ? Step::new_place : Step::closure;  // whatever Z3 makes of it
   }
-  bool leads_nowhere(std::size_t, ArmIndex, Step) const { return false; }  // Z3 will say
+  /// Never further than the visit itself: Z3 is to say what follows.
+  NativeEngine::Run follow(std::size_t k, ArmIndex, Step) const { return {k + 1, true}; }
+  ArmIndex arrived(std::size_t) const { return 0; }
   void enter(std::size_t k, ArmIndex arm, Step step);
   void leave(std::size_t k, ArmIndex arm, Step step);
   Extents extents_after(std::size_t k, ArmIndex arm, Step step) const;
@@ -72,7 +74,8 @@ class BothEngines {
     for (const ArmIndex arm : children) f(arm, native_.step(k, arm));
   }
   Step step(std::size_t k, ArmIndex arm) const { return native_.step(k, arm); }
-  bool leads_nowhere(std::size_t, ArmIndex, Step) const { return false; }  // the solver must say so
+  NativeEngine::Run follow(std::size_t k, ArmIndex, Step) const { return {k + 1, true}; }
+  ArmIndex arrived(std::size_t) const { return 0; }
   void enter(std::size_t k, ArmIndex arm, Step step) {
     native_.enter(k, arm, step);
     solver_.enter(k, arm, step);
