@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asterism {
+
+/// Text as it stands in XML: markup characters escaped, control characters shown as '?'.
+std::string xml_text(std::string_view text);
+
+/// Breaks text at spaces into lines of at most `width` characters where it can.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width);
+
+}  // namespace asterism
