@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -110,8 +111,8 @@ TEST_CASE("a set without what facts are told in is refused", "[axioms]") {
 TEST_CASE("a folder is read with its own optional axioms, and named when it is refused",
           "[axioms]") {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::temp_directory_path() / "asterism-axiom-reader-test";
-  fs::remove_all(folder);
+  const fs::path folder =
+      fs::temp_directory_path() / ("asterism-" + std::to_string(std::random_device()()));
   fs::create_directories(folder / "optional");
   const auto read = [&](const std::vector<std::string>& optional) -> std::string {
     try {
