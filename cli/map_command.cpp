@@ -138,7 +138,7 @@ MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomS
                     .count = models.size(),
                     .certified = false};
   if (command.options.certify_s > 0) {
-    progress.say("certifying the minimal models");
+    progress.grown("certifying the minimal models");
     const Certificate certificate =
         certify(tree.trace(), axioms, command.options.planar, models, command.options.certify_s);
     if (certificate == Certificate::refuted)
@@ -171,7 +171,7 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
     write_atomically(
         (folder / fmt::format("model-{}.svg", i)).string(),
         map_svg(models[i], draw(models[i]),
-                fmt::format("{}, {}minimal model {} of {}", trace.name,
+                fmt::format("{}, {}minimal model {} (of {})", trace.name,
                             report.options.planar ? "planar " : "", i, models.size())));
   const auto own = report.per_visit.value_or(std::vector<std::uint64_t>{});
   const auto other = other_counts(command, axioms, trace);

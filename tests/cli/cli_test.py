@@ -297,6 +297,25 @@ class BadInput(Folder):
         self.assertIn("valid, trace aces-stubs: 15 visits", done.stdout)
 
 
+class Readme(Folder):
+    def test_what_it_shows_is_what_comes_out(self):
+        text = (SOURCE / "README.md").read_text()
+        shown = re.findall(r"(?m)^    \$ asterism (.*)\n((?:    .*\n|\n(?=    ))*)", text)
+        self.assertGreaterEqual(len(shown), 2)
+        for command, output in shown:
+            done = subprocess.run([PROGRAM, *command.split()], capture_output=True, text=True,
+                                  cwd=SOURCE, timeout=300)
+            want = "".join(line[4:] if line.strip() else "\n"
+                           for line in output.splitlines(keepends=True))
+            self.assertEqual(done.stdout.rstrip(), want.rstrip(), command)
+
+    def test_its_pictures_are_what_comes_out(self):
+        run("map", SOURCE / "examples/aces-stubs.trace.json", "--planar", "--svg", self.folder)
+        for shown, drawn in (("aces-planar", "model-0"), ("aces-hypotheses", "hypotheses")):
+            self.assertEqual((SOURCE / f"docs/{shown}.svg").read_text(),
+                             (self.folder / f"{drawn}.svg").read_text())
+
+
 class Help(unittest.TestCase):
     def test_each_command_has_examples(self):
         for command in ("map", "simulate", "axioms", "validate"):
