@@ -98,7 +98,7 @@ TEST_CASE("a clash is refuted, and nothing in it can be spared", "[axioms]") {
   std::size_t clashes = 0;
   std::set<std::string> axioms_named;
   for (const auto& [trace, visits] : std::map<std::string, std::size_t>{
-           {"eight-crossings", 6}, {"square-three-laps", 4}, {"grid-4x4-snake", 5}})
+           {"eight-crossings", 5}, {"square-three-laps", 4}, {"grid-4x4-snake", 4}})
     for (const std::vector<Fact>& facts : facts_of_candidates(trace, visits)) {
       const auto clash = find_clash(axioms, facts, 0, timeout_ms);
       REQUIRE(clash.has_value() == (verdict(axioms, facts) == Verdict::inconsistent));
@@ -117,7 +117,7 @@ TEST_CASE("a clash is refuted, and nothing in it can be spared", "[axioms]") {
       for (const Fact& fact : clash->facts)
         CHECK(std::find(facts.begin(), facts.end(), fact) != facts.end());
     }
-  CHECK(clashes > 50);
+  CHECK(clashes > 40);
   CHECK(axioms_named.contains("view"));
   CHECK(axioms_named.contains("irreflexive"));
 }
