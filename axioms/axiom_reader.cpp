@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "axioms/vocabulary.hpp"
 #include "core/error.hpp"
 
 namespace asterism {
@@ -27,6 +28,11 @@ std::optional<Heading> heading(const std::string& comment) {
 }
 
 const std::set<std::string> extents{"path", "place", "segment"};
+constexpr std::size_t max_arguments = 8;
+
+std::string arguments_text(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " argument" : " arguments");
+}
 
 }  // namespace
 
@@ -36,7 +42,8 @@ void AxiomReader::fail(const SExpr& at, const std::string& expected) const {
   throw InputError(file_ + ":" + std::to_string(at.line), found, expected);
 }
 
-AxiomSet AxiomReader::read(const std::map<std::string, std::string>& files) {
+AxiomSet AxiomReader::read(const std::map<std::string, std::string>& files,
+                           const std::string& where) {
   std::vector<std::pair<std::string, std::vector<SExpr>>> parsed;
   for (const auto& [file, text] : files) parsed.emplace_back(file, parse_sexprs(text, file));
 
@@ -53,33 +60,38 @@ AxiomSet AxiomReader::read(const std::map<std::string, std::string>& files) {
         if (stage != "assert") continue;
         if (form.calls("set-info")) set_preference(form);
         if (form.calls("assert")) {
-          Axiom axiom = assertion(form);
-          if (set_.contains(axiom.name)) fail(form, "one axiom named " + axiom.name);
-          set_.axioms_.push_back(std::move(axiom));
+          add(assertion(form), form);
         } else if (const auto title = heading(form.comment); title && function) {
           Axiom axiom;
           axiom.name = title->name;
           axiom.by_signature = true;
           document(axiom, form);
-          set_.axioms_.push_back(std::move(axiom));
+          add(std::move(axiom), form);
         }
       }
     }
   }
   if (set_.preference_.empty()) set_.preference_ = {"path", "place"};
+  require_vocabulary(set_, where);
   return std::move(set_);
+}
+
+void AxiomReader::add(Axiom axiom, const SExpr& form) {
+  if (set_.contains(axiom.name)) fail(form, "one axiom named " + axiom.name);
+  set_.axioms_.push_back(std::move(axiom));
 }
 
 void AxiomReader::declare(const SExpr& form) {
   const auto& parts = form.list;
   if (form.calls("declare-sort")) {
-    if (parts.size() != 3 || parts[1].is_list() || !parts[2].is("0"))
-      fail(form, "(declare-sort NAME 0)");
+    if (parts.size() != 3 || !parts[2].is("0")) fail(form, "(declare-sort NAME 0)");
+    require_name(parts[1]);
     if (std::count(set_.sorts_.begin(), set_.sorts_.end(), parts[1].symbol) != 0)
       fail(form, "each sort once");
     set_.sorts_.push_back(parts[1].symbol);
   } else if (form.calls("declare-const")) {
     if (parts.size() != 3) fail(form, "(declare-const NAME SORT)");
+    require_sort(parts[2]);
     declare_function(parts[1], SExpr{}, parts[2]);
   } else {
     if (parts.size() != 4) fail(form, "(declare-fun NAME (SORT ...) SORT)");
@@ -89,7 +101,8 @@ void AxiomReader::declare(const SExpr& form) {
 }
 
 void AxiomReader::declare_function(const SExpr& name, const SExpr& arguments, const SExpr& result) {
-  if (name.is_list()) fail(name, "a name");
+  require_name(name);
+  if (is_name_of_fact(name.symbol)) fail(name, "a name not like those of dstates and views");
   AxiomSet::Function function;
   for (const SExpr& argument : arguments.list) {
     require_sort(argument);
@@ -99,6 +112,8 @@ void AxiomReader::declare_function(const SExpr& name, const SExpr& arguments, co
   function.result = result.symbol;
   if (function.result != "Bool" && function.arguments.size() > 1)
     fail(name, "a relation, or a function of at most one argument");
+  if (function.arguments.size() > max_arguments)
+    fail(name, "a relation of at most " + std::to_string(max_arguments) + " arguments");
   if (!set_.functions_.emplace(name.symbol, function).second) fail(name, "a name declared once");
 }
 
@@ -107,10 +122,14 @@ void AxiomReader::require_sort(const SExpr& sort) const {
     fail(sort, "a declared sort");
 }
 
+void AxiomReader::require_name(const SExpr& name) const {
+  if (const auto fault = fault_of_name(name.symbol)) fail(name, *fault);
+}
+
 void AxiomReader::set_preference(const SExpr& form) {
   const auto& parts = form.list;
-  if (parts.size() < 2 || !parts[1].is(":minimise")) return;
-  if (parts.size() != 3 || !parts[2].is_list()) fail(form, "(set-info :minimise (path place))");
+  if (parts.size() != 3 || !parts[1].is(":minimise") || !parts[2].is_list())
+    fail(form, "(set-info :minimise (path place))");
   if (!set_.preference_.empty()) fail(form, "one preference");
   for (const SExpr& extent : parts[2].list) {
     if (!extents.contains(extent.symbol)) fail(extent, "path, place or segment");
@@ -126,7 +145,8 @@ Axiom AxiomReader::assertion(const SExpr& form) const {
   const auto& outer = form.list;
   if (outer.size() != 2 || !outer[1].calls("!") || outer[1].list.size() != 4) fail(form, expected);
   const auto& named = outer[1].list;
-  if (!named[2].is(":named") || named[3].is_list()) fail(named[2], ":named NAME");
+  if (!named[2].is(":named")) fail(named[2], ":named NAME");
+  require_name(named[3]);
   const SExpr& quantified = named[1];
   if (!quantified.calls("forall") || quantified.list.size() != 3 || !quantified.list[1].is_list())
     fail(quantified, "(forall ((x SORT) ...) (=> PREMISE CONCLUSION))");
@@ -138,7 +158,8 @@ Axiom AxiomReader::assertion(const SExpr& form) const {
   axiom.name = named[3].symbol;
   document(axiom, form);
   for (const SExpr& variable : quantified.list[1].list) {
-    if (variable.list.size() != 2 || variable.list[0].is_list()) fail(variable, "(NAME SORT)");
+    if (variable.list.size() != 2) fail(variable, "(NAME SORT)");
+    require_name(variable.list[0]);
     require_sort(variable.list[1]);
     const std::string& name = variable.list[0].symbol;
     if (set_.functions_.contains(name) ||
@@ -212,6 +233,9 @@ Formula AxiomReader::formula(const SExpr& form, const Axiom& axiom) const {
     for (const SExpr& argument : arguments) result.parts.push_back(formula(argument, axiom));
     return result;
   }
+  const auto relation = set_.functions_.find(head);
+  if (head != "=" && (relation == set_.functions_.end() || relation->second.result != "Bool"))
+    fail(form, "and, or, not, = or a declared relation");
   for (const SExpr& argument : arguments) result.terms.push_back(term(argument, axiom));
   if (head == "=") {
     if (arguments.size() != 2) fail(form, "two sides");
@@ -220,11 +244,8 @@ Formula AxiomReader::formula(const SExpr& form, const Axiom& axiom) const {
     result.kind = Formula::Kind::equality;
     return result;
   }
-  const auto relation = set_.functions_.find(head);
-  if (relation == set_.functions_.end() || relation->second.result != "Bool")
-    fail(form, "and, or, not, = or a declared relation");
   if (relation->second.arguments.size() != arguments.size())
-    fail(form, std::to_string(relation->second.arguments.size()) + " arguments");
+    fail(form, arguments_text(relation->second.arguments.size()));
   for (std::size_t i = 0; i < arguments.size(); ++i)
     if (sort_of(result.terms[i], axiom) != relation->second.arguments[i])
       fail(arguments[i], "a term of sort " + relation->second.arguments[i]);
@@ -249,7 +270,7 @@ Term AxiomReader::term(const SExpr& form, const Axiom& axiom) const {
   if (function == set_.functions_.end() || function->second.result == "Bool")
     fail(form, "a variable, a declared constant or function");
   if (function->second.arguments.size() != arguments)
-    fail(form, std::to_string(function->second.arguments.size()) + " arguments");
+    fail(form, arguments_text(function->second.arguments.size()));
   result.symbol = head.symbol;
   if (arguments == 1) {
     result.kind = Term::Kind::application;

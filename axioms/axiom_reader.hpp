@@ -16,12 +16,13 @@ namespace asterism {
 ///
 /// PREMISE: a conjunction of atoms, equalities and their negations. CONCLUSION: any of and, or,
 /// not,
-/// =, atoms, true, false. The comment above an assertion gives name and source in its first line,
-/// then words, then, indented, the formula.
+/// =, atoms, true, false. Names are of letters, digits and _. The comment above an assertion gives
+/// name and source in its first line, then words, then, indented, the formula.
 class AxiomReader {
  public:
-  /// @throws InputError with file and line
-  AxiomSet read(const std::map<std::string, std::string>& files);
+  /// @param where  what the files are together, for messages
+  /// @throws InputError with file and line, or `where` if a declaration that facts need is missing
+  AxiomSet read(const std::map<std::string, std::string>& files, const std::string& where);
 
  private:
   [[noreturn]] void fail(const SExpr& at, const std::string& expected) const;
@@ -29,6 +30,8 @@ class AxiomReader {
   void declare(const SExpr& form);
   void declare_function(const SExpr& name, const SExpr& arguments, const SExpr& result);
   void require_sort(const SExpr& sort) const;
+  void require_name(const SExpr& name) const;
+  void add(Axiom axiom, const SExpr& form);
   void set_preference(const SExpr& form);
   Axiom assertion(const SExpr& form) const;
   void document(Axiom& axiom, const SExpr& form) const;

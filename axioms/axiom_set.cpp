@@ -42,7 +42,15 @@ void add_optional(std::map<std::string, std::string>& files, std::span<const std
   }
 }
 
-/// What an axiom says, without its name, place and comment.
+/// Those not said by the signature: which of those there are is up to comments.
+std::vector<Axiom> assertions(const AxiomSet& axioms) {
+  std::vector<Axiom> result;
+  for (const Axiom& axiom : axioms.axioms())
+    if (!axiom.by_signature) result.push_back(axiom);
+  return result;
+}
+
+/// What an axiom says, without its place and comment.
 bool same_statement(const Axiom& a, const Axiom& b) {
   const auto sorts = [](const Axiom& axiom) {
     std::vector<std::string> result;
@@ -55,14 +63,19 @@ bool same_statement(const Axiom& a, const Axiom& b) {
 
 }  // namespace
 
-AxiomSet AxiomSet::parse(const std::map<std::string, std::string>& files) {
-  return AxiomReader().read(files);
+AxiomSet AxiomSet::parse(const std::map<std::string, std::string>& files,
+                         const std::string& where) {
+  return AxiomReader().read(files, where);
 }
 
 AxiomSet AxiomSet::shipped(std::span<const std::string> optional) {
   std::map<std::string, std::string> files;
   for (const auto& [name, text] : built_in_files())
     if (!name.starts_with("optional/")) files[name] = text;
+  if (optional.empty()) {
+    static const AxiomSet plain = parse(files);  // every tree asks for it
+    return plain;
+  }
   add_optional(files, optional, "");
   return parse(files);
 }
@@ -76,7 +89,7 @@ AxiomSet AxiomSet::read(const std::string& folder, std::span<const std::string> 
   if (error) throw InputError(folder, error.message(), "a folder of axiom files");
   if (files.empty()) throw InputError(folder, "no *.smt2", "a folder of axiom files");
   add_optional(files, optional, folder);
-  return parse(files);
+  return parse(files, folder);
 }
 
 std::vector<std::string> AxiomSet::optional_names() {
@@ -102,9 +115,11 @@ bool AxiomSet::is_shipped() const {
   for (const std::string& name : optional_names())
     if (contains(name)) optional.push_back(name);
   const AxiomSet ours = shipped(optional);
-  if (functions_ != ours.functions_ || axioms_.size() != ours.axioms_.size()) return false;
-  return std::all_of(axioms_.begin(), axioms_.end(), [&](const Axiom& axiom) {
-    return std::any_of(ours.axioms_.begin(), ours.axioms_.end(),
+  const std::vector<Axiom> here = assertions(*this);
+  const std::vector<Axiom> there = assertions(ours);
+  if (functions_ != ours.functions_ || here.size() != there.size()) return false;
+  return std::all_of(here.begin(), here.end(), [&](const Axiom& axiom) {
+    return std::any_of(there.begin(), there.end(),
                        [&](const Axiom& other) { return same_statement(axiom, other); });
   });
 }

@@ -70,8 +70,11 @@ class AxiomSet {
   /// ones where it has none.
   /// @throws InputError with file and line
   static AxiomSet read(const std::string& folder, std::span<const std::string> optional = {});
-  /// From texts, by file name.  @throws InputError with file and line
-  static AxiomSet parse(const std::map<std::string, std::string>& files);
+  /// From texts, by file name.
+  /// @param where  what they are together, for messages
+  /// @throws InputError with file and line, or `where`
+  static AxiomSet parse(const std::map<std::string, std::string>& files,
+                        const std::string& where = "axioms");
 
   /// Names of the optional axioms built in.
   static std::vector<std::string> optional_names();
@@ -89,7 +92,8 @@ class AxiomSet {
   /// Whether dstates, actions, views, which are named apart, are what this sort holds: no function
   /// makes them.
   bool has_unique_names(const std::string& sort) const;
-  /// Whether these are the shipped axioms and optional ones, whatever the order and the comments:
+  /// Whether these are the shipped axioms and optional ones, whatever the order, the comments and
+  /// the names of variables:
   /// the native engine knows those and no others. The preference may differ.
   bool is_shipped() const;
 

@@ -226,13 +226,13 @@ std::string smt2_text(const AxiomSet& axioms, std::span<const Fact> facts,
   for (std::size_t i = 0; i < facts.size(); ++i) {
     std::string atom = "(" + facts[i].relation;
     for (const std::string& argument : facts[i].arguments) atom += " " + argument;
-    assertions += "(assert (! " + atom + ") :named fact_" + std::to_string(i) + "))\n";
+    assertions += "(assert (! " + atom + ") :named fact." + std::to_string(i) + "))\n";
   }
-  std::size_t number = 0;
+  std::size_t number = facts.size();  // after a point, which no name has: each label is new
   for (const Fact& fact : facts)
     grounder.add(fact, [&](const Grounder::Instance& instance) {
       assertions += "(assert (! " + text(grounder, instance) + " :named " + instance.axiom->name +
-                    "_" + std::to_string(number++) + "))\n";
+                    "." + std::to_string(number++) + "))\n";
     });
 
   std::string result = "; " + title + "\n(set-logic QF_UF)\n";

@@ -6,10 +6,11 @@
 namespace asterism {
 namespace {
 
-void collect_heads(const Formula& formula, std::vector<const Formula*>& heads) {
-  if (formula.kind == Formula::Kind::relation) heads.push_back(&formula);
-  if (formula.kind == Formula::Kind::negation) return;
-  for (const Formula& part : formula.parts) collect_heads(part, heads);
+/// The relations that can make a formula true by holding themselves, or where `negated`, false.
+void collect_heads(const Formula& formula, bool negated, std::vector<const Formula*>& heads) {
+  if (formula.kind == Formula::Kind::relation && !negated) heads.push_back(&formula);
+  const bool turned = negated != (formula.kind == Formula::Kind::negation);
+  for (const Formula& part : formula.parts) collect_heads(part, turned, heads);
 }
 
 /// Where the atoms with one argument at one position of one relation are listed.
@@ -45,8 +46,9 @@ Grounder::Grounder(const AxiomSet& axioms) : axioms_(axioms) {
       if (part.kind == Formula::Kind::relation)
         rule.premises.push_back({relation_numbers_.at(part.relation), &part});
       if (part.kind == Formula::Kind::equality) rule.equalities.push_back(&part);
+      if (part.kind == Formula::Kind::negation) collect_heads(part, true, rule.heads);
     }
-    collect_heads(axiom.conclusion, rule.heads);
+    collect_heads(axiom.conclusion, false, rule.heads);
     rules_.push_back(std::move(rule));
   }
   triggers_.resize(relations_.size());

@@ -83,7 +83,7 @@ class Grounder {
   struct Rule {
     const Axiom* axiom;
     std::vector<Premise> premises;           ///< positive relations
-    std::vector<const Formula*> heads;       ///< relations the conclusion may make true
+    std::vector<const Formula*> heads;       ///< relations that an instance may make true
     std::vector<const Formula*> equalities;  ///< premises to decide here where they can be
   };
   struct Trigger {

@@ -9,6 +9,21 @@ namespace asterism {
 namespace {
 
 constexpr std::size_t max_depth = 200;
+constexpr std::string_view marks_of_symbols = "~!@$%^&*_-+=<>.?/:";
+
+bool is_of_symbol(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         marks_of_symbols.find(c) != std::string_view::npos;
+}
+
+bool is_control(char c) { return (c >= '\0' && c < ' ' && c != '\t') || c == '\x7f'; }
+
+std::string shown(char c) {
+  if (c > ' ' && c < '\x7f') return std::string("'") + c + "'";
+  constexpr std::string_view digits = "0123456789abcdef";
+  const auto byte = static_cast<unsigned char>(c);
+  return std::string("byte 0x") + digits[byte >> 4] + digits[byte & 15];
+}
 
 class Parser {
  public:
@@ -32,7 +47,11 @@ class Parser {
       const char c = text_[at_];
       if (c == ';') {
         const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-        comment_ += std::string(text_.substr(at_ + 1, end - at_ - 1)) + '\n';
+        std::string_view line = text_.substr(at_ + 1, end - at_ - 1);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        const auto control = std::find_if(line.begin(), line.end(), is_control);
+        if (control != line.end()) fail(shown(*control), "a comment without control characters");
+        comment_ += std::string(line) + '\n';
         at_ = end;
         line_is_blank = false;
       } else if (c == '\n') {
@@ -64,9 +83,9 @@ class Parser {
       if (result.list.empty()) fail("()", "an expression");
       return result;
     }
-    const std::size_t end = std::min(text_.find_first_of(" \t\r\n();", at_), text_.size());
-    result.symbol = text_.substr(at_, end - at_);
-    at_ = end;
+    for (; at_ < text_.size() && is_of_symbol(text_[at_]); ++at_) result.symbol += text_[at_];
+    if (result.symbol.empty())
+      fail(shown(text_[at_]), "a parenthesis, a plain symbol or a comment");
     return result;
   }
 

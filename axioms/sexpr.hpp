@@ -21,7 +21,8 @@ struct SExpr {
   std::string text() const;
 };
 
-/// Reads the SMT-LIB 2 concrete syntax, as far as axiom files need it.
+/// Reads the SMT-LIB 2 concrete syntax, as far as axiom files need it: no strings, no symbols in
+/// bars, no empty lists, 200 levels at most.
 /// @throws InputError with file and line
 std::vector<SExpr> parse_sexprs(std::string_view text, const std::string& file);
 

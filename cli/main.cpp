@@ -13,7 +13,8 @@ namespace {
 using namespace asterism;
 
 void add_axiom_options(CLI::App& app, AxiomOptions& options) {
-  app.add_option("--axioms", options.folder, "Folder of axioms (*.smt2) instead of the shipped ones")
+  app.add_option("--axioms", options.folder,
+                 "Folder of axioms (*.smt2) instead of the shipped ones")
       ->type_name("DIR");
   app.add_option("--axiom", options.optional,
                  "Switch an optional axiom on; `asterism axioms` names them (repeatable)")
@@ -42,7 +43,8 @@ Exit code: 0 a map exists, 1 none does, 2 stopped by a limit, 65 bad input, 70 i
       ->type_name("S")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  map.add_option("--json", command.json, "Write a maps file; -: alone on stdout")->type_name("FILE");
+  map.add_option("--json", command.json, "Write a maps file; -: alone on stdout")
+      ->type_name("FILE");
   map.add_flag("--all", options.all, "List every map, not the minimal models alone");
   map.add_option("--svg", command.svg_folder,
                  "Draw each minimal model, and the number of maps a visit, into a folder")
@@ -50,9 +52,10 @@ Exit code: 0 a map exists, 1 none does, 2 stopped by a limit, 65 bad input, 70 i
   map.add_option("--export-smt2", command.smt2_folder,
                  "Write the grounded problem of each map listed, for z3 or cvc5")
       ->type_name("DIR");
-  map.add_option("--why-not", command.why_not,
-                 "Say why the last of these visits cannot be at the last of these places: the place "
-                 "of each visit from the first, a new one having the next number")
+  map.add_option(
+         "--why-not", command.why_not,
+         "Say why the last of these visits cannot be at the last of these places: the place "
+         "of each visit from the first, a new one having the next number")
       ->type_name("PLACES")
       ->delimiter(',');
   map.add_option("--max-hypotheses", options.max_hypotheses,
@@ -94,7 +97,8 @@ Same options, same bytes.)");
       ->capture_default_str();
   simulate.add_flag("--laps", command.laps, "Walk round a face instead of exploring");
   simulate.add_flag("--plain", command.plain, "Read every star from the world's first arm");
-  simulate.add_option("-o,--output", command.output, "Trace file; -: stdout")->capture_default_str();
+  simulate.add_option("-o,--output", command.output, "Trace file; -: stdout")
+      ->capture_default_str();
   simulate.add_option("--true-map", command.true_map, "Write the true map as a maps file");
   simulate.callback([&] { chosen = [&] { return simulate_command(command); }; });
 }

@@ -39,8 +39,8 @@ MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms)
   return options;
 }
 
-/// Grows the tree. In one pass where nothing can stop it early, since that is the fastest; else visit
-/// by visit, to end on a whole level.
+/// Grows the tree. In one pass where nothing can stop it early, since that is the fastest; else
+/// visit by visit, to end on a whole level.
 std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
                                 const Progress& progress) {
   const bool may_stop = command.options.max_hypotheses || command.options.time_limit_s ||
@@ -48,8 +48,10 @@ std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapComm
   const std::size_t step = may_stop ? 1 : trace.visits.size();
   for (std::size_t k = 0; k < trace.visits.size(); k += step)
     switch (tree.extend(std::span(trace.visits).subspan(k, step))) {
-      case MapTree::Growth::complete: break;
-      case MapTree::Growth::stopped: return progress.stopped_by();
+      case MapTree::Growth::complete:
+        break;
+      case MapTree::Growth::stopped:
+        return progress.stopped_by();
       case MapTree::Growth::too_many:
         return fmt::format("limit of {} hypotheses", *command.options.max_hypotheses);
     }
@@ -136,9 +138,9 @@ MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomS
                     .count = models.size(),
                     .certified = false};
   if (command.options.certify_s > 0) {
-    progress.say("certifying the minimal models");
-    const Certificate certificate = certify(tree.trace(), axioms, command.options.planar, models,
-                                            command.options.certify_s);
+    progress.grown("certifying the minimal models");
+    const Certificate certificate =
+        certify(tree.trace(), axioms, command.options.planar, models, command.options.certify_s);
     if (certificate == Certificate::refuted)
       throw std::logic_error("the solver refutes the minimal models of the tree");
     report.minimal->certified = certificate == Certificate::shown;
@@ -166,11 +168,11 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
   std::filesystem::create_directories(folder);
   const std::size_t drawings = std::min(models.size(), most_drawings);
   for (std::size_t i = 0; i < drawings; ++i)
-    write_atomically((folder / fmt::format("model-{}.svg", i)).string(),
-                     map_svg(models[i], draw(models[i]),
-                             fmt::format("{}, {}minimal model {} of {}", trace.name,
-                                         report.options.planar ? "planar " : "", i,
-                                         models.size())));
+    write_atomically(
+        (folder / fmt::format("model-{}.svg", i)).string(),
+        map_svg(models[i], draw(models[i]),
+                fmt::format("{}, {}minimal model {} (of {})", trace.name,
+                            report.options.planar ? "planar " : "", i, models.size())));
   const auto own = report.per_visit.value_or(std::vector<std::uint64_t>{});
   const auto other = other_counts(command, axioms, trace);
   write_atomically((folder / "hypotheses.svg").string(),
@@ -180,9 +182,8 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
     fmt::print(stderr, "drew the first {} of {} minimal models\n", drawings, models.size());
 }
 
-void write_problem(const std::filesystem::path& folder, const std::string& name,
-                   const Trace& trace, std::span<const Arrival> hypothesis,
-                   const AxiomSet& axioms) {
+void write_problem(const std::filesystem::path& folder, const std::string& name, const Trace& trace,
+                   std::span<const Arrival> hypothesis, const AxiomSet& axioms) {
   std::filesystem::create_directories(folder);
   write_atomically((folder / name).string(), smt2_text(trace, hypothesis, axioms));
 }

@@ -92,11 +92,10 @@ std::string report_text(const MapReport& report, std::size_t visits, std::size_t
     const auto& minimal = *report.minimal;
     text += fmt::format("{}: {}, {}; {}\n", counted(minimal.count, "minimal model"),
                         counted(minimal.paths, "path"), counted(minimal.places, "place"),
-                        minimal.certified              ? "certified by the solver"
-                        : report.options.certify_s > 0 ? fmt::format(
-                                                             "not certified within {} s",
-                                                             report.options.certify_s)
-                                                       : "not certified");
+                        minimal.certified ? "certified by the solver"
+                        : report.options.certify_s > 0
+                            ? fmt::format("not certified within {} s", report.options.certify_s)
+                            : "not certified");
   }
   for (std::size_t i = 0; i < std::min(report.maps.size(), most_maps); ++i)
     text += fmt::format("\n{} {}\n", report.options.all ? "map" : "model", i) +

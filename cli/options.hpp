@@ -25,11 +25,11 @@ struct MapCommand {
   std::string trace;
   MapOptions options;
   AxiomOptions axioms;
-  std::size_t visits = 0;  ///< of the trace
-  std::optional<std::string> json;         ///< file, or "-"
+  std::size_t visits = 0;           ///< of the trace
+  std::optional<std::string> json;  ///< file, or "-"
   std::optional<std::string> svg_folder;
   std::optional<std::string> smt2_folder;
-  std::vector<std::size_t> why_not;        ///< place of each visit, up to the one in question
+  std::vector<std::size_t> why_not;  ///< place of each visit, up to the one in question
 };
 
 struct SimulateCommand {

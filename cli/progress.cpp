@@ -50,8 +50,9 @@ bool Progress::operator()(std::size_t visit, std::uint64_t hypotheses) {
   return true;
 }
 
-void Progress::say(const std::string& what) {
-  if (Clock::now() - begin_ >= until_first_line) show(what);
+void Progress::grown(const std::string& what_now) {
+  std::signal(SIGINT, SIG_DFL);
+  if (Clock::now() - begin_ >= until_first_line) show(what_now);
 }
 
 void Progress::show(const std::string& line) {

@@ -16,8 +16,9 @@ class Progress {
 
   /// @return whether to go on
   bool operator()(std::size_t visit, std::uint64_t hypotheses);
-  /// A line of what goes on now, if the run has been long.
-  void say(const std::string& what);
+  /// Growing is over: an interrupt ends the program from now on. Tells what goes on, if the run has
+  /// been long.
+  void grown(const std::string& what_now);
   /// Why it said to stop.
   const std::optional<std::string>& stopped_by() const { return stopped_by_; }
 

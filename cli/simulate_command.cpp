@@ -14,8 +14,7 @@ namespace asterism {
 namespace {
 
 World make_world(const SimulateCommand& command, RandomEngine& engine) {
-  if (command.world == "corridors")
-    return corridor_world({.corridors = command.corridors}, engine);
+  if (command.world == "corridors") return corridor_world({.corridors = command.corridors}, engine);
   return grid_world({.width = command.width,
                      .height = command.height,
                      .missing = command.missing,

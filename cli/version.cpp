@@ -1,7 +1,7 @@
-#include <boost/version.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <z3.h>
+#include <boost/version.hpp>
+#include <nlohmann/json.hpp>
 
 #include <CLI/Version.hpp>
 
@@ -14,8 +14,8 @@ std::string version_text() {
       "asterism {}\nz3 {}\nboost {}.{}.{}\nnlohmann-json {}.{}.{}\nfmt {}.{}.{}\ncli11 {}",
       ASTERISM_VERSION, Z3_get_full_version(), BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
       BOOST_VERSION % 100, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
-      NLOHMANN_JSON_VERSION_PATCH, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-      FMT_VERSION % 100, CLI11_VERSION);
+      NLOHMANN_JSON_VERSION_PATCH, FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100,
+      CLI11_VERSION);
 }
 
 }  // namespace asterism

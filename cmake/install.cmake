@@ -5,9 +5,7 @@ include(CMakePackageConfigHelpers)
 set(ASTERISM_AXIOMS_DIR ${CMAKE_INSTALL_DATADIR}/asterism/axioms)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/asterism)
 
-if(TARGET asterism)
-  install(TARGETS asterism RUNTIME)
-endif()
+install(TARGETS asterism RUNTIME)
 install(DIRECTORY axioms/ DESTINATION ${ASTERISM_AXIOMS_DIR}
   FILES_MATCHING PATTERN "*.smt2")
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/asterism/schemas

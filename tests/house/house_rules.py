@@ -129,20 +129,25 @@ def names(folders):
 
 
 def sources(root):
-    """Every source file is listed in a CMakeLists.txt beside or above it."""
+    """Every source file is listed in a CMakeLists.txt beside or above it; one that tests share, in
+    any of theirs."""
     for file in files(root, [*LAYERS, *USERS], CODE):
-        layered = file.relative_to(root).parts[0] in LAYERS
+        folder = file.relative_to(root).parts[0]
+        layered = folder in LAYERS and folder != "cli"  # the program's headers are nobody else's
         if not layered and file.suffix == ".hpp":
             continue
         lists = [d / "CMakeLists.txt" for d in file.parents if d.is_relative_to(root)]
         lists = [file for file in lists if file.exists()]
+        if file.parent.name == "support":
+            lists += sorted((root / folder).rglob("CMakeLists.txt"))
         if not any(mentions(text, file, whole_name=layered) for text in lists):
             found = f"no mention of {file.relative_to(lists[0].parent)}"
             yield complaint(root, lists[0], 1, found, "every source file listed")
 
 
 def mentions(cmake_list, file, whole_name):
-    name = str(file.relative_to(cmake_list.parent))
+    shared = not file.is_relative_to(cmake_list.parent)
+    name = f"../support/{file.name}" if shared else str(file.relative_to(cmake_list.parent))
     name = name if whole_name else name.removesuffix(file.suffix)
     return re.search(rf"((?<![\w/.])|(?<=}}/)){re.escape(name)}(?!\w)", cmake_list.read_text())
 

@@ -1,0 +1,2 @@
+; yours   [somewhere]
+(assert (! (forall ((q DState)) (=> (ends q) false)) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (ends q) (not (ends q) (ends q)))) :named mine))

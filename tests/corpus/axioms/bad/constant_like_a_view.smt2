@@ -1,0 +1,1 @@
+(declare-const v12 Place)

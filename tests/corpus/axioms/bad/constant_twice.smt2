@@ -1,0 +1,2 @@
+(declare-const home Place)
+(declare-const home Place)

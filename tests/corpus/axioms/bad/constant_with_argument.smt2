@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (leads q (travel q) q) false)) :named mine))

@@ -1,0 +1,3 @@
+; a comment
+
+(declare-sort Room 1)

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (ends q) (= (place q) (along q)))) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (exists ((q DState)) (=> (ends q) false)) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (is_turn travel) :named mine))

@@ -1,0 +1,1 @@
+(declare-fun midway (Place Place) Place)

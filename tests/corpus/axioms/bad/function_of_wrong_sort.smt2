@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (ends q) (= (opp (place q)) (along q)))) :named mine))

@@ -1,0 +1,1 @@
+(declare-fun seen (DState) View)

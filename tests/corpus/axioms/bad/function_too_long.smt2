@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (ends q) (= (place q q) (place q)))) :named mine))

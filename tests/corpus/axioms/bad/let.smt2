@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (let ((r q)) (ends r)) false)) :named mine))

@@ -1,0 +1,1 @@
+(declare-sort Räume 0)

@@ -1,0 +1,2 @@
+(assert (! (forall ((q DState)) (=> (ends q) false)) :named mine))
+(assert (! (forall ((q DState)) (=> (ends q) false)) :named mine))

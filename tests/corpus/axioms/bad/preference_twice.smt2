@@ -1,0 +1,2 @@
+(set-info :minimise (path place))
+(set-info :minimise (path place))

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (and) (ends q))) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> true (ends q))) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> q (ends q))) :named mine))

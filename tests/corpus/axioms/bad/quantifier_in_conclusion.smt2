@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (ends q) (exists ((r DState)) (next q r)))) :named mine))

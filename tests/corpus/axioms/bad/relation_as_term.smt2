@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (ends (next q q)) false)) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (place q) false)) :named mine))

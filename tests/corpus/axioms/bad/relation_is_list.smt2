@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> ((ends) q) false)) :named mine))

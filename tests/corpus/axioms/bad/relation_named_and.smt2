@@ -1,0 +1,1 @@
+(declare-fun and (Place Place) Bool)

@@ -1,0 +1,1 @@
+(declare-fun = (Place Place) Bool)

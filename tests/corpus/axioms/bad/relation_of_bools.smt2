@@ -1,0 +1,1 @@
+(declare-fun both (Bool Bool) Bool)

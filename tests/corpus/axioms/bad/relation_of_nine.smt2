@@ -1,0 +1,1 @@
+(declare-fun nine (Place Place Place Place Place Place Place Place Place) Bool)

@@ -1,0 +1,1 @@
+(declare-fun beside Place Bool)

@@ -1,0 +1,1 @@
+(assert (! (forall ((v View)) (=> (ends v) false)) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (ends q q) false)) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (next q) false)) :named mine))

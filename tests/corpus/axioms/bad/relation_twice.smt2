@@ -1,0 +1,2 @@
+(declare-fun beside (Place Place) Bool)
+(declare-fun beside (Place) Bool)

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState) (r DState)) (=> (beside q r) false)) :named mine))

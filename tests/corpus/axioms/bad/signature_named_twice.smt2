@@ -1,0 +1,2 @@
+; transitive   [mine]
+(declare-const home Place)

@@ -1,0 +1,1 @@
+(declare-sort Bool 0)

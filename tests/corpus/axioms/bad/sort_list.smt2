@@ -1,0 +1,1 @@
+(declare-sort (Room) 0)

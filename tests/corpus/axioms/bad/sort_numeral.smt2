@@ -1,0 +1,1 @@
+(declare-sort 7 0)

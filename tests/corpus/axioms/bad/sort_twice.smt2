@@ -1,0 +1,1 @@
+(declare-sort Place 0)

@@ -1,0 +1,1 @@
+(declare-sort Set 1)

@@ -1,0 +1,1 @@
+(assert (! (forall ((q Bool)) (=> (ends q) false)) :named mine))

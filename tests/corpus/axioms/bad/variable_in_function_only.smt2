@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (on (along q) (place q)) false)) :named mine))

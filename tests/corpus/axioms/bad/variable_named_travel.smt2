@@ -1,0 +1,1 @@
+(assert (! (forall ((travel DState)) (=> (ends travel) false)) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState)) (=> (next q r) false)) :named mine))

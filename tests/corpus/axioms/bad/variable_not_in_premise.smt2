@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState) (r DState)) (=> (ends q) (next q r))) :named mine))

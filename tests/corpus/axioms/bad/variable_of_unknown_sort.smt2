@@ -1,0 +1,1 @@
+(assert (! (forall ((q Room)) (=> (ends q) false)) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (forall ((q DState) (v View)) (=> (ends q) false)) :named mine))

@@ -1,0 +1,1 @@
+(assert (! (forall ((q)) (=> (ends q) false)) :named mine))
