@@ -13,17 +13,14 @@ namespace {
 std::atomic<std::size_t> in_use = 0;  // Z3 keeps a thread for its clock
 std::atomic<std::size_t> peak = 0;
 
-void* take(std::size_t bytes) noexcept {
-  void* const block = std::malloc(std::max<std::size_t>(bytes, 1));
-  if (block == nullptr) return nullptr;
-  in_use += malloc_usable_size(block);
+void* taken(void* block) {
+  if (block != nullptr) in_use += malloc_usable_size(block);
   peak = std::max(peak.load(), in_use.load());
   return block;
 }
 
-void give_back(void* block) {
+void given_back(void* block) {
   if (block != nullptr) in_use -= malloc_usable_size(block);
-  std::free(block);
 }
 
 }  // namespace
@@ -34,13 +31,30 @@ void reset_heap_peak() { peak = in_use.load(); }
 
 }  // namespace asterism
 
+// The linker puts these in the place of malloc, realloc and free (--wrap).
+extern "C" {
+void* __real_malloc(std::size_t bytes);
+void* __real_realloc(void* block, std::size_t bytes);
+void __real_free(void* block);
+
+void* __wrap_malloc(std::size_t bytes) { return asterism::taken(__real_malloc(bytes)); }
+void* __wrap_realloc(void* block, std::size_t bytes) {
+  asterism::given_back(block);
+  return asterism::taken(__real_realloc(block, bytes));
+}
+void __wrap_free(void* block) {
+  asterism::given_back(block);
+  __real_free(block);
+}
+}
+
 // The other forms of new and delete, but for aligned ones, call these.
 void* operator new(std::size_t bytes) {
-  if (void* const block = asterism::take(bytes)) return block;
+  if (void* const block = std::malloc(std::max<std::size_t>(bytes, 1))) return block;
   throw std::bad_alloc();
 }
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-  return asterism::take(bytes);
+  return std::malloc(std::max<std::size_t>(bytes, 1));
 }
-void operator delete(void* block) noexcept { asterism::give_back(block); }
-void operator delete(void* block, std::size_t) noexcept { asterism::give_back(block); }
+void operator delete(void* block) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t) noexcept { std::free(block); }

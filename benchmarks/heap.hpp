@@ -4,7 +4,7 @@
 
 namespace asterism {
 
-/// Bytes taken with operator new and not yet given back.
+/// Bytes taken from the heap by what is linked into this program and not yet given back.
 std::size_t heap_bytes();
 /// The most these have been since reset_heap_peak().
 std::size_t heap_peak_bytes();
