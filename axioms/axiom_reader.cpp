@@ -27,6 +27,9 @@ std::optional<Heading> heading(const std::string& comment) {
   return Heading{name, line.substr(bracket)};
 }
 
+/// Keeps labels apart from the names of relations; not part of an axiom's name.
+constexpr std::string_view label_prefix = "axiom.";
+
 const std::set<std::string> extents{"path", "place", "segment"};
 constexpr std::size_t max_arguments = 8;
 
@@ -146,7 +149,9 @@ Axiom AxiomReader::assertion(const SExpr& form) const {
   if (outer.size() != 2 || !outer[1].calls("!") || outer[1].list.size() != 4) fail(form, expected);
   const auto& named = outer[1].list;
   if (!named[2].is(":named")) fail(named[2], ":named NAME");
-  require_name(named[3]);
+  SExpr label = named[3];
+  if (label.symbol.starts_with(label_prefix)) label.symbol.erase(0, label_prefix.size());
+  require_name(label);
   const SExpr& quantified = named[1];
   if (!quantified.calls("forall") || quantified.list.size() != 3 || !quantified.list[1].is_list())
     fail(quantified, "(forall ((x SORT) ...) (=> PREMISE CONCLUSION))");
@@ -155,7 +160,7 @@ Axiom AxiomReader::assertion(const SExpr& form) const {
     fail(implication, "(=> PREMISE CONCLUSION)");
 
   Axiom axiom;
-  axiom.name = named[3].symbol;
+  axiom.name = label.symbol;
   document(axiom, form);
   for (const SExpr& variable : quantified.list[1].list) {
     if (variable.list.size() != 2) fail(variable, "(NAME SORT)");

@@ -11,7 +11,7 @@ namespace asterism {
 /// Turns SMT-LIB 2 files into an axiom set. Declarations may stand in any file, in any order.
 ///
 ///     (declare-sort S 0) (declare-const c S) (declare-fun f (S ...) S)
-///     (assert (! (forall ((x S) ...) (=> PREMISE CONCLUSION)) :named name))
+///     (assert (! (forall ((x S) ...) (=> PREMISE CONCLUSION)) :named axiom.name))
 ///     (set-info :minimise (path place))
 ///
 /// PREMISE: a conjunction of atoms, equalities and their negations. CONCLUSION: any of and, or,

@@ -72,6 +72,10 @@ AxiomSet AxiomSet::shipped(std::span<const std::string> optional) {
   std::map<std::string, std::string> files;
   for (const auto& [name, text] : built_in_files())
     if (!name.starts_with("optional/")) files[name] = text;
+  if (optional.empty()) {
+    static const AxiomSet plain = parse(files);  // every tree asks for it
+    return plain;
+  }
   add_optional(files, optional, "");
   return parse(files);
 }

@@ -2,6 +2,9 @@
 ;
 ; A dstate is the robot at a place, facing along a directed path. Dstates, actions and views have
 ; unique names: two constants are never equal.
+;
+; Labels begin with `axiom.`, which is not part of the name: in SMT-LIB a label is a symbol like any
+; other, and some axioms are called what a relation is.
 
 (declare-sort DState 0)
 (declare-sort Action 0)
@@ -19,14 +22,14 @@
 ;   leads(q, a, r) ∧ leads(q, a, s)  →  r = s
 (assert (! (forall ((q DState) (a Action) (r DState) (s DState))
                (=> (and (leads q a r) (leads q a s)) (= r s)))
-         :named deterministic))
+         :named axiom.deterministic))
 
 ; view                                                                 [BMK10, §3.2] [RK04]
 ; Equal dstates have equal views.
 ;   sees(q, v) ∧ sees(q, w)  →  v = w
 (assert (! (forall ((q DState) (v View) (w View))
                (=> (and (sees q v) (sees q w)) (= v w)))
-         :named view))
+         :named axiom.view))
 
 ; reversible                                                           [RK04]
 ; If travel leads from q to r, travel leads from r turned around to q turned around.
@@ -35,4 +38,4 @@
 (assert (! (forall ((q DState) (r DState) (q1 DState) (r1 DState))
                (=> (and (leads q travel r) (leads q turn_around q1) (leads r turn_around r1))
                    (leads r1 travel q1)))
-         :named reversible))
+         :named axiom.reversible))

@@ -12,14 +12,14 @@
 (assert (! (forall ((q DState) (r DState) (s DState) (t DState))
                (=> (and (next q r) (next q s) (next t r))
                    (and (= r s) (= q t) (leads q turn_clockwise r))))
-         :named star))
+         :named axiom.star))
 
 ; path_end                                                             [BMK10, §5.1.2]
 ; Where α = 0 nothing follows on that directed path.
 ;   ends(q)  →  ¬order(q, r)
 (assert (! (forall ((q DState) (r DState))
                (=> (and (ends q) (order q r)) false))
-         :named path_end))
+         :named axiom.path_end))
 
 ; star_binding                                                         [BMK10, §6.1]
 ; Opposite arms are the two directions of one path: they come in pairs, and turning around at one
@@ -29,4 +29,4 @@
 (assert (! (forall ((q DState) (r DState) (s DState) (t DState))
                (=> (and (opposite q r) (opposite q s) (opposite t r))
                    (and (= r s) (= q t) (opposite r q) (leads q turn_around r))))
-         :named star_binding))
+         :named axiom.star_binding))

@@ -28,49 +28,49 @@
 ;   leads(q, a, r) ∧ is_turn(a)  →  place(q) = place(r)
 (assert (! (forall ((q DState) (a Action) (r DState))
                (=> (and (leads q a r) (is_turn a)) (= (place q) (place r))))
-         :named turn))
+         :named axiom.turn))
 
 ; travel                                                               [BMK10, (3)] [RK04]
 ; A travel stays on its directed path.
 ;   leads(q, travel, r)  →  along(q) = along(r)
 (assert (! (forall ((q DState) (r DState))
                (=> (leads q travel r) (= (along q) (along r))))
-         :named travel))
+         :named axiom.travel))
 
 ; turn_around                                                          [BMK10, (4)] [RK04]
 ; A turn-around stays on its path, direction reversed.
 ;   leads(q, turn_around, r)  →  along(r) = opp(along(q))
 (assert (! (forall ((q DState) (r DState))
                (=> (leads q turn_around r) (= (along r) (opp (along q)))))
-         :named turn_around))
+         :named axiom.turn_around))
 
 ; on                                                                   [BMK10, (5)] [RK04]
 ; The place of a dstate is on its path.
 ;   sees(q, v)  →  on(along(q), place(q))
 (assert (! (forall ((q DState) (v View))
                (=> (sees q v) (on (along q) (place q))))
-         :named on))
+         :named axiom.on))
 
 ; order                                                                [BMK10, (6)] [RK04]
 ; A travel orders its two places along the directed path.
 ;   leads(q, travel, r)  →  order(q, r)
 (assert (! (forall ((q DState) (r DState))
                (=> (leads q travel r) (order q r)))
-         :named order))
+         :named axiom.order))
 
 ; order_on                                                             [BMK10, (7)] [RK04]
 ; What is ordered is on the path.
 ;   order(q, r)  →  on(along(q), place(q)) ∧ on(along(q), place(r))
 (assert (! (forall ((q DState) (r DState))
                (=> (order q r) (and (on (along q) (place q)) (on (along q) (place r)))))
-         :named order_on))
+         :named axiom.order_on))
 
 ; irreflexive                                                          [BMK10, (8)] [RK04]
 ; No place precedes itself: no path meets a place twice or closes on itself.
 ;   order(q, r)  →  place(q) ≠ place(r)
 (assert (! (forall ((q DState) (r DState))
                (=> (order q r) (not (= (place q) (place r)))))
-         :named irreflexive))
+         :named axiom.irreflexive))
 
 ; opposite                                                             [BMK10, (9)] [RK04]
 ; Order along a direction is the reverse of order along the other.
@@ -78,11 +78,11 @@
 (assert (! (forall ((q DState) (r DState) (q1 DState) (r1 DState))
                (=> (and (order q r) (leads q turn_around q1) (leads r turn_around r1))
                    (order r1 q1)))
-         :named opposite))
+         :named axiom.opposite))
 
 ; transitive                                                           [BMK10, (10)] [RK04]
 ; Order is transitive.
 ;   order(q, r) ∧ order(r, s)  →  order(q, s)
 (assert (! (forall ((q DState) (r DState) (s DState))
                (=> (and (order q r) (order r s)) (order q s)))
-         :named transitive))
+         :named axiom.transitive))

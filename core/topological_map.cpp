@@ -15,22 +15,24 @@ PlaceArm opposite(const TopologicalMap& map, PlaceArm arm) {
   return {arm.place, map.places[arm.place.index()].star.opposite(arm.arm)};
 }
 
-/// Follows the path out along `arm` to its end, or back to where it began.
-PlaceArm end_of_path(const TopologicalMap& map, const Segments& linked, PlaceArm arm) {
-  PlaceArm at = arm;
-  for (auto next = linked.find(at); next != linked.end(); next = linked.find(at)) {
-    at = opposite(map, next->second);
-    if (at == arm) break;
+/// Follows the path out along `arm` to its end: an arm without segment. There is none where the
+/// path closes on itself, be it on `arm` or, where a gateway leads to two, further on.
+std::optional<PlaceArm> end_of_path(const TopologicalMap& map, const Segments& linked,
+                                    PlaceArm arm) {
+  for (std::size_t steps = 0; steps <= linked.size(); ++steps) {
+    const auto next = linked.find(arm);
+    if (next == linked.end()) return arm;
+    arm = opposite(map, next->second);
   }
-  return at;
+  return std::nullopt;
 }
 
 TopologicalMap::Path follow(const TopologicalMap& map, const Segments& linked, PlaceArm arm,
                             std::set<PlaceArm>& seen) {
-  const PlaceArm one = end_of_path(map, linked, arm);
-  const PlaceArm other = end_of_path(map, linked, opposite(map, arm));
+  const auto one = end_of_path(map, linked, arm);
+  const auto other = end_of_path(map, linked, opposite(map, arm));
   TopologicalMap::Path path;
-  if (!linked.contains(one)) path.ends = {std::min(one, other), std::max(one, other)};
+  if (one && other) path.ends = {std::min(*one, *other), std::max(*one, *other)};
   PlaceArm forward = path.ends.empty() ? arm : opposite(map, path.ends.front());
   while (seen.insert(forward).second) {
     seen.insert(opposite(map, forward));

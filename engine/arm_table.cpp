@@ -31,7 +31,7 @@ void ArmTable::append(const Visit& visit) {
     const auto number = view_numbers_.emplace(visit.star.view(i), view_numbers_.size()).first;
     arms_.push_back({static_cast<ArmIndex>(k),
                      first_arm + static_cast<ArmIndex>(visit.star.opposite(i)), number->second,
-                     visit.star.has_gateway(i)});
+                     first_arm + star_size, star_size, visit.star.has_gateway(i)});
   }
   const auto entered = first_arm + static_cast<ArmIndex>(visit.entered_by.value_or(0));
   const auto first_gateway = static_cast<ArmIndex>(gateways_.size());

@@ -52,10 +52,10 @@ class ArmTable {
   bool has_gateway(ArmIndex arm) const { return arms_[arm].has_gateway; }
   /// The arm `steps` clockwise from `arm` in the star of its place.
   ArmIndex clockwise(ArmIndex arm, ArmIndex steps) const {
-    const VisitFacts& place = visits_[visit_of(arm)];
-    ArmIndex at = arm - place.first_arm + steps;
-    while (at >= place.star_size) at -= place.star_size;  // a division would cost as much as a node
-    return place.first_arm + at;
+    const ArmFacts& facts = arms_[arm];
+    arm += steps;
+    while (arm >= facts.star_end) arm -= facts.star_size;  // a division costs as much as a node
+    return arm;
   }
   /// The arm the robot left visit k by, if it came in by `entered`.
   ArmIndex left(std::size_t visit, ArmIndex entered) const {
@@ -72,6 +72,8 @@ class ArmTable {
     ArmIndex visit;
     ArmIndex opposite;
     ArmIndex view;
+    ArmIndex star_end;   ///< of the place's arms
+    ArmIndex star_size;  ///< the same as its visit has, at hand
     bool has_gateway;
   };
   struct VisitFacts {

@@ -55,8 +55,8 @@ class PreferredMap {
         vocabulary_(context_, grounder_) {
     assert_choices();
     solver_.add(is_preferred());
-    ground(general_facts());
-    for (std::size_t k = 0; k < table_.visits(); ++k) ground(place_facts(table_, k));
+    ground(general_facts(), context_.bool_val(true));
+    for (std::size_t k = 0; k < table_.visits(); ++k) ground(place_facts(table_, k), is_new(k));
   }
 
   /// inconsistent: there is none.
@@ -182,10 +182,10 @@ class PreferredMap {
     return named;
   }
 
-  /// Facts that hold whatever the choices, and the instances they lead to.
-  void ground(std::span<const Fact> facts) {
+  /// Facts that hold where a choice does, and the instances they lead to.
+  void ground(std::span<const Fact> facts, const z3::expr& choice) {
     for (const Fact& fact : facts) {
-      solver_.add(vocabulary_.atom(grounder_.atom(fact)));
+      solver_.add(z3::implies(choice, vocabulary_.atom(grounder_.atom(fact))));
       grounder_.add(fact, [&](const Grounder::Instance& instance) { assert_new(instance); });
     }
   }

@@ -1,5 +1,6 @@
 #include "engine/map_tree.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -96,6 +97,7 @@ class MapTree::Growing::Pass {
       grow(0);
     else if (!old_.empty())
       replay(0);
+    if (growth_ == Growth::complete && has_too_many()) growth_ = Growth::too_many;
     if (growth_ != Growth::complete) return growth_;
     next_.shrink();
     growing_.tree = std::move(next_);
@@ -121,16 +123,14 @@ class MapTree::Growing::Pass {
   }
 
   bool grow(std::size_t k) {
+    if (k + 1 == levels_) return grow_leaves();
     Preorder::Siblings siblings(next_, levels_);
     engine_.for_each_child(k, [&](ArmIndex arm, auto step) {
       if (growth_ != Growth::complete) return;
-      std::size_t end = k + 1;
-      count(k);
-      if (end < levels_) {
-        const auto run = engine_.follow(k, arm, step);
-        for (; end < run.end; ++end) count(end);
-        if (!run.lives) return;
-      }
+      if (--until_question_ == 0) ask(k);
+      const auto [end, lives] = engine_.follow(k, arm, step);
+      for (std::size_t visit = k; visit < end; ++visit) ++per_visit_[visit];
+      if (!lives) return;
       siblings.begin(arm);
       for (std::size_t visit = k + 1; visit < end; ++visit)
         siblings.add_below(engine_.arrived(visit));
@@ -146,11 +146,31 @@ class MapTree::Growing::Pass {
     return siblings.any();
   }
 
-  void count(std::size_t visit) {
-    if (++per_visit_[visit] > max_hypotheses_) growth_ = Growth::too_many;
-    if (--until_question_ > 0) return;
+  /// The last visit, which nothing follows: the level with most hypotheses, so made short.
+  bool grow_leaves() {
+    const std::size_t k = levels_ - 1;
+    if (--until_question_ == 0) ask(k);
+    const std::size_t leaves_before = leaves_;
+    engine_.for_each_child(k, [&](ArmIndex arm, auto step) {
+      next_.add_leaf(arm);
+      rank(growing_.preference.rank(engine_.extents_after(k, arm, step)));
+    });
+    if (leaves_ == leaves_before) return false;
+    next_.end_leaves();
+    per_visit_[k] += leaves_ - leaves_before;
+    return true;
+  }
+
+  bool has_too_many() const {
+    return std::ranges::any_of(per_visit_, [&](auto n) { return n > max_hypotheses_; });
+  }
+
+  /// Is it to go on?
+  void ask(std::size_t visit) {
     until_question_ = children_between_questions;
-    if (growing_.options.go_on && !growing_.options.go_on(visit, per_visit_[visit]))
+    if (has_too_many())
+      growth_ = Growth::too_many;
+    else if (growing_.options.go_on && !growing_.options.go_on(visit, per_visit_[visit]))
       growth_ = Growth::stopped;
   }
 
@@ -171,7 +191,7 @@ class MapTree::Growing::Pass {
   std::size_t levels_;
   std::uint64_t max_hypotheses_;
   static constexpr std::uint64_t children_between_questions =
-      std::is_same_v<E, NativeEngine> ? 1 << 16 : 64;  // some milliseconds
+      std::is_same_v<E, NativeEngine> ? 1 << 16 : 16;  // some milliseconds
   std::uint64_t until_question_ = children_between_questions;
   Growth growth_ = Growth::complete;
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <new>
 #include <span>
 #include <vector>
 
@@ -18,13 +21,10 @@ class Preorder {
     std::uint32_t has_next_sibling : 1;
   };
 
-  std::span<const Node> nodes() const { return std::span(nodes_).first(size_); }
+  std::span<const Node> nodes() const { return {nodes_.get(), size_}; }
   /// Gives up the room kept for growth.
-  void shrink() {
-    nodes_.resize(size_);
-    nodes_.shrink_to_fit();
-  }
-  std::size_t memory_bytes() const { return nodes_.capacity() * sizeof(Node); }
+  void shrink() { set_room(std::max(size_, std::size_t{1})); }
+  std::size_t memory_bytes() const { return room_ * sizeof(Node); }
 
   /// Calls f(leaf number, arms from the root down) for every leaf, in order, until it returns
   /// false.
@@ -48,6 +48,13 @@ class Preorder {
     }
   }
 
+  /// Leaves that are siblings, one after another; end_leaves() after the last.
+  void add_leaf(ArmIndex arm) {
+    if (room_ == size_) make_room(1);
+    nodes_[size_++] = {arm & 0x7fffffffU, 1};
+  }
+  void end_leaves() { nodes_[size_ - 1].has_next_sibling = 0; }
+
   /// The children of one node while they are being written: each either stays, with all that was
   /// written below it, or is taken back.
   class Siblings {
@@ -57,7 +64,7 @@ class Preorder {
 
     void begin(ArmIndex arm) {
       begun_ = tree_.size_;
-      if (tree_.nodes_.size() < begun_ + levels_) tree_.make_room(levels_);
+      if (tree_.room_ < begun_ + levels_) tree_.make_room(levels_);
       tree_.push(arm);
     }
     /// Below the one begun, a descendant in a line of only children.
@@ -81,11 +88,24 @@ class Preorder {
  private:
   void push(ArmIndex arm) { nodes_[size_++] = {arm & 0x7fffffffU, 0}; }
   [[gnu::noinline]] void make_room(std::size_t nodes) {
-    nodes_.resize(std::max(std::size_t{256}, 2 * (size_ + nodes)));
+    set_room(std::max(std::size_t{256}, 2 * (size_ + nodes)));
+  }
+  // A vector would fill room not used yet and copy what is there; half the time went into that.
+  // realloc moves a large block by its pages.
+  void set_room(std::size_t nodes) {
+    void* const moved = std::realloc(nodes_.get(), nodes * sizeof(Node));
+    if (moved == nullptr) throw std::bad_alloc();
+    static_cast<void>(nodes_.release());
+    nodes_.reset(static_cast<Node*>(moved));
+    room_ = nodes;
   }
 
-  std::vector<Node> nodes_;
-  std::size_t size_ = 0;  ///< of nodes_ in use
+  struct Free {
+    void operator()(Node* nodes) const { std::free(nodes); }
+  };
+  std::unique_ptr<Node[], Free> nodes_;
+  std::size_t room_ = 0;
+  std::size_t size_ = 0;  ///< of the room, in use
 };
 
 }  // namespace asterism

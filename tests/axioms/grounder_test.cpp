@@ -119,7 +119,7 @@ TEST_CASE("joining decides as all instances over all constants do", "[axioms][pr
   const AxiomSet axioms = shipped ? AxiomSet::shipped() : with_other_forms(false);
   std::mt19937 random(20100);
   std::map<Verdict, int> times;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 80; ++i) {
     const std::vector<Fact> facts = random_facts(random, axioms);
     std::string told;
     for (const Fact& fact : facts) told += fact_text(fact) + " ";
@@ -128,16 +128,25 @@ TEST_CASE("joining decides as all instances over all constants do", "[axioms][pr
     CHECK(solver_verdict(axioms, facts) == verdict);
     ++times[verdict];
   }
-  CHECK(times[Verdict::consistent] >= 15);
-  CHECK(times[Verdict::inconsistent] >= 15);
+  CHECK(times[Verdict::consistent] >= 8);
+  CHECK(times[Verdict::inconsistent] >= 8);
   CHECK(times[Verdict::undecided] == 0);
+}
+
+TEST_CASE("a relation under not in a premise is joined over", "[axioms]") {
+  // q before r: opposite or in order; none is opposite an end, none follows one.
+  const std::vector<Fact> facts{{"next", {"d0_0", "d0_1"}}, {"ends", {"d0_0"}}, {"ends", {"d0_1"}}};
+  const AxiomSet axioms = with_other_forms(false);
+  CHECK(plain_verdict(axioms, facts) == Verdict::inconsistent);
+  CHECK(solver_verdict(axioms, facts) == Verdict::inconsistent);
+  CHECK(solver_verdict(axioms, std::span(facts).first(2)) == Verdict::consistent);
 }
 
 TEST_CASE("the solver decides as forward chaining does", "[axioms][property]") {
   const AxiomSet axioms = AxiomSet::shipped();
   std::mt19937 random(2004);
   std::map<Verdict, int> times;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 500; ++i) {
     const std::vector<Fact> facts = random_facts(random, axioms);
     std::string told;
     for (const Fact& fact : facts) told += fact_text(fact) + " ";
@@ -146,14 +155,14 @@ TEST_CASE("the solver decides as forward chaining does", "[axioms][property]") {
     CHECK(solver_verdict(axioms, facts) == verdict);
     ++times[verdict];
   }
-  CHECK(times[Verdict::consistent] >= 200);
-  CHECK(times[Verdict::inconsistent] >= 200);
+  CHECK(times[Verdict::consistent] >= 60);
+  CHECK(times[Verdict::inconsistent] >= 60);
 }
 
 TEST_CASE("the order of facts changes neither instances nor verdict", "[axioms][property]") {
   const AxiomSet axioms = GENERATE(true, false) ? AxiomSet::shipped() : with_other_forms(true);
   std::mt19937 random(64);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 50; ++i) {
     std::vector<Fact> facts = random_facts(random, axioms);
     Grounder grounder(axioms);
     const auto found = instances(grounder, facts);
@@ -171,7 +180,7 @@ TEST_CASE("what was popped is forgotten", "[axioms][property]") {
   AxiomSolver solver(axioms, timeout_ms);
   Grounder grounder(axioms);
   std::vector<std::vector<Fact>> levels;
-  for (int step = 0; step < 150; ++step) {
+  for (int step = 0; step < 60; ++step) {
     if (levels.size() < 4 && random() % 2 == 0) {
       std::vector<Fact> facts = random_facts(random, axioms);
       facts.resize(2);

@@ -46,6 +46,22 @@ TEST_CASE("an open square has a fifth place", "[core]") {
   CHECK(map.paths.size() == 6);  // 5 places * 2 - 4 segments
 }
 
+// Nothing licenses it, but it can be written: the travel out of place 1 comes in
+// again by the gateway that it was first entered by.
+TEST_CASE("a map whose gateways lead to two is written out all the same", "[core]") {
+  Trace trace;
+  trace.visits = {
+      {.star = Star::parse("a+1 b+1 a-1 b-1"), .entered_by = {}, .left_by = 0},
+      {.star = Star::parse("a-1 b+1 a+0 b-1"), .entered_by = 1, .left_by = 3},
+      {.star = Star::parse("b-1 a-1 b+1 a+1"), .entered_by = 2, .left_by = {}},
+  };
+  const TopologicalMap map =
+      make_map(trace, std::vector<Arrival>{{PlaceId(0), {}}, at(1, 1), at(1, 1)});
+  CHECK(map.places.size() == 2);
+  CHECK(map.segments.size() == 2);
+  for (const auto& path : map.paths) CHECK((path.ends.empty() || path.ends.size() == 2));
+}
+
 TEST_CASE("places must be numbered by first visit", "[core]") {
   CHECK_THROWS_AS(make_map(square(), std::vector<Arrival>{{PlaceId(0), {}}, at(2, 3)}),
                   std::invalid_argument);

@@ -22,10 +22,11 @@ inline AxiomFiles shipped_files() {
 inline AxiomFiles with_axiom(AxiomFiles files, const std::string& name,
                              const std::string& replacement = "") {
   for (auto& [file, text] : files) {
-    const std::size_t mark = text.find(":named " + name + "))");
+    const std::string label = ":named axiom." + name + "))";
+    const std::size_t mark = text.find(label);
     if (mark == std::string::npos) continue;
     const std::size_t begin = text.rfind("(assert", mark);
-    const std::size_t end = mark + std::string(":named " + name + "))").size();
+    const std::size_t end = mark + label.size();
     text.replace(begin, end - begin, replacement);
     return files;
   }

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "benchmarks/tables.hpp"
+#include "benchmarks/traces.hpp"
+#include "io/atomic_file.hpp"
+#include "tests/support/known_traces.hpp"
+
+namespace asterism {
+namespace {
+
+std::vector<KnownCase> shared_cases() {
+  std::vector<KnownCase> cases;
+  for (const KnownTrace& known : known_traces())
+    cases.push_back({known.trace, known.all.consistent, known.planar.consistent});
+  return cases;
+}
+
+std::vector<KnownCase> simulated_cases(std::uint64_t most_maps) {
+  std::vector<KnownCase> cases;
+  for (const BenchmarkTrace& benchmark : kBenchmarkTraces)
+    if (benchmark.consistent <= most_maps)
+      cases.push_back({make_trace(benchmark), benchmark.consistent, std::nullopt});
+  return cases;
+}
+
+int run(int argc, char** argv) {
+  bool quick = false;
+  bool smoke = false;
+  std::string output;
+  std::string program = ASTERISM_PROGRAM;
+  CLI::App app("Measures Asterism beside other programs; fails where they count otherwise");
+  app.add_flag("--quick", quick, "without clingo on the largest trace");
+  app.add_flag("--smoke", smoke, "the smallest traces alone, once: are the counts right?");
+  app.add_option("--output", output, "Markdown file to write; stdout where not given");
+  app.add_option("--asterism", program, "the program to measure")->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 64;
+  }
+
+  const Scale scale = smoke
+                          ? Scale{.runs = 1, .time_limit_s = 60, .most_clingo = 100, .most_z3 = 100}
+                      : quick ? Scale{.most_clingo = 200'000}
+                              : Scale{};
+  const Programs programs(program, ASTERISM_SOURCE_DIR "/benchmarks");
+  const std::vector<KnownCase> shared = shared_cases();
+  const auto small = std::ranges::find(shared, "eight-crossings",
+                                       [](const KnownCase& known) { return known.trace.name; });
+  const std::vector<KnownCase> simulated = simulated_cases(smoke ? 2000 : UINT64_MAX);
+  std::vector<KnownCase> listed{*small};
+  listed.insert(listed.end(), simulated.begin(), simulated.end());
+
+  Report report;
+  add_listing_table(report, scale, programs, listed);
+  add_online_table(report, scale, simulated);
+  add_solver_table(report, scale, smoke ? std::span(&*small, 1) : std::span(shared));
+  output.empty() ? fmt::print("{}", report.markdown())
+                 : write_atomically(output, report.markdown());
+  return report.counts_agree() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace asterism
+
+int main(int argc, char** argv) {
+  try {
+    return asterism::run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "asterism_benchmark: {}\n", error.what());
+    return 70;
+  }
+}

@@ -1,0 +1,153 @@
+#include "engine/explain.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "tests/engine/command_line.hpp"
+#include "tests/engine/seeded_walk.hpp"
+#include "tests/support/axiom_files.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace asterism;
+
+namespace {
+
+/// The shipped axioms of these names, and no others; those of the signature stay.
+const AxiomSet& only(const std::vector<std::string>& names) {
+  static std::map<std::set<std::string>, AxiomSet> known;
+  const std::set<std::string> kept(names.begin(), names.end());
+  if (const auto set = known.find(kept); set != known.end()) return set->second;
+  AxiomFiles files = shipped_files();
+  for (const Axiom& axiom : shipped_with().axioms())
+    if (!axiom.by_signature && !kept.contains(axiom.name)) files = with_axiom(files, axiom.name);
+  return known.emplace(kept, AxiomSet::parse(files)).first->second;
+}
+
+/// Every way to go on to the next visit: any arm of any place, or a new place.
+std::vector<Association> candidates(const Trace& trace, const Association& map) {
+  const TopologicalMap written = make_map(trace, map);
+  std::vector<Association> result;
+  const auto add = [&](PlaceId place, std::optional<std::size_t> entered) {
+    result.push_back(map);
+    result.back().push_back({place, entered});
+  };
+  for (std::size_t place = 0; place < written.places.size(); ++place)
+    for (std::size_t arm = 0; arm < written.places[place].star.size(); ++arm)
+      add(PlaceId(place), arm);
+  add(PlaceId(written.places.size()), trace.visits[map.size()].entered_by);
+  return result;
+}
+
+/// Every candidate child of every planar map of a prefix of the trace.
+std::vector<Association> all_candidates(const Trace& trace) {
+  std::vector<Association> result;
+  const auto levels = every_map_by_visit(trace, {.planar = true});
+  for (std::size_t k = 0; k + 1 < levels.size(); ++k)
+    for (const Association& map : levels[k])
+      for (Association& child : candidates(trace, map)) result.push_back(std::move(child));
+  return result;
+}
+
+/// What is told of a refutation is about this child.
+void check_mentions(const Refutation& reason, const Trace& trace, const Association& child) {
+  const TopologicalMap map = make_map(trace, child);
+  for (const PlaceArm& arm : reason.arms) {
+    REQUIRE(arm.place.index() < map.places.size());
+    CHECK(arm.arm < map.places[arm.place.index()].star.size());
+  }
+  for (const VisitId visit : reason.visits) CHECK(visit.index() < child.size());
+  // Its parent is consistent: the last visit takes part.
+  CHECK(std::ranges::count(reason.visits, VisitId(child.size() - 1)) == 1);
+}
+
+void check_reason(const Trace& trace, const Association& child) {
+  const auto reason = explain_dropped(trace, child, shipped_with(), true);
+  const bool accepted = is_consistent(trace, child, {});
+  if (is_consistent(trace, child, {.planar = true})) {
+    CHECK_FALSE(reason);
+    return;
+  }
+  REQUIRE(reason);
+  CHECK(reason->not_planar == accepted);
+  CHECK(reason->axioms.empty() == accepted);
+  check_mentions(*reason, trace, child);
+  if (accepted) {
+    CHECK_FALSE(explain_dropped(trace, child, shipped_with(), false));
+    CHECK(reason->arms.size() == 2);
+    return;
+  }
+  CHECK(std::set(reason->axioms.begin(), reason->axioms.end()).size() == reason->axioms.size());
+  for (const Clash::Step& step : reason->steps)
+    CHECK(std::ranges::count(reason->axioms, step.axiom) == 1);
+  // The axioms named suffice.
+  const auto again = explain_dropped(trace, child, only(reason->axioms), false);
+  REQUIRE(again);
+  CHECK_FALSE(again->not_planar);
+}
+
+std::string answer(const std::string& command, const std::string& problem) {
+  const std::string output = output_of(command, problem);
+  return output.substr(0, output.find('\n'));
+}
+
+}  // namespace
+
+TEST_CASE("every child dropped has a reason, and its axioms suffice",
+          "[engine][explain][property]") {
+  std::size_t children = 0;
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    const Trace trace = seeded_walk(seed, 3 + seed % 2).trace;
+    INFO(to_keep(seed, trace));
+    for (const Association& child : all_candidates(trace)) {
+      check_reason(trace, child);
+      ++children;
+    }
+  }
+  CHECK(children > 100);
+}
+
+TEST_CASE("an optional axiom is named where it alone refutes", "[engine][explain][axioms]") {
+  for (const char* const name : {"one_segment", "one_crossing"}) {
+    std::size_t found = 0;
+    for (unsigned seed = 0; seed < 60 && found < 3; ++seed) {
+      const Trace trace = seeded_walk(seed, 7).trace;
+      INFO(to_keep(seed, trace));
+      const auto kept = maps_of(tree_of(trace, {.axioms = shipped_with(name)}));
+      for (const Association& map : maps_of(tree_of(trace, false))) {
+        if (std::binary_search(kept.begin(), kept.end(), map)) continue;
+        ++found;
+        const auto reason = explain_dropped(trace, map, shipped_with(name), false);
+        REQUIRE(reason);
+        CHECK(std::ranges::count(reason->axioms, name) == 1);
+      }
+    }
+    CHECK(found >= 3);
+  }
+}
+
+TEST_CASE("without time no reason is made up", "[engine][explain]") {
+  const Trace trace = seeded_walk(2, 6).trace;
+  for (const Association& map : maps_of(tree_of(trace, false)))
+    CHECK_FALSE(explain_dropped(trace, map, shipped_with(), false, 1));
+}
+
+TEST_CASE("solvers on the command line give the same verdict on the problem written out",
+          "[engine][explain][property]") {
+  const std::string command = GENERATE("z3", "cvc5 --lang=smt2");
+  if (!is_installed(command)) {
+    WARN(command << " is not installed");
+    return;
+  }
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const Trace trace = seeded_walk(seed, 5).trace;
+    INFO(to_keep(seed, trace));
+    const auto children = all_candidates(trace);
+    for (std::size_t i = 0; i < children.size(); i += 1 + children.size() / 6) {
+      const std::string expected = is_consistent(trace, children[i], {}) ? "sat" : "unsat";
+      CHECK(answer(command, smt2_text(trace, children[i], shipped_with())) == expected);
+    }
+    const Association map = maps_of(tree_of(trace, false)).back();
+    CHECK(answer(command, smt2_text(trace, map, shipped_with())) == "sat");
+  }
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/map_tree.hpp"
+#include "simulation/walk.hpp"
+#include "tests/support/brute_force.hpp"
+
+namespace asterism {
+
+/// A walk through a random world, grid or corridors; the seed says which.
+Walk seeded_walk(unsigned seed, std::size_t travels);
+
+/// What a failing test prints: the seed, and the trace, to be kept as
+/// tests/traces/red-<seed>.trace.json.
+std::string to_keep(unsigned seed, const Trace& trace);
+
+/// The shipped axioms with these optional ones, preferred as (path place), read once.
+const AxiomSet& shipped_with(const std::string& optional = "");
+
+/// The tree grown by the whole trace.  @throws std::logic_error if growth stops early
+MapTree tree_of(const Trace& trace, MapTree::Options options);
+inline MapTree tree_of(const Trace& trace, bool planar) {
+  return tree_of(trace, {.planar = planar, .axioms = shipped_with()});
+}
+
+/// Every hypothesis of the tree, sorted.
+std::vector<Association> maps_of(const MapTree& tree);
+/// The minimal ones, sorted.
+std::vector<Association> minimal_of(const MapTree& tree);
+
+}  // namespace asterism
