@@ -129,7 +129,6 @@ class Picture {
 
   void draw_map() {
     for (std::size_t s = 0; s < map_.segments.size(); ++s) draw_segment(s);
-    std::vector<bool> is_joined_arm;
     PathOfArm open = paths_;
     for (const auto& [one, other] : map_.segments) {
       open.erase(one);

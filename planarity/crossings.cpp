@@ -56,16 +56,17 @@ bool meet_beyond_an_end(const Piece& a, const Piece& b) {
 bool conflict(const Piece& a, const Piece& b) {
   const bool are_neighbours =
       a.line == b.line && (a.number == b.number + 1 || b.number == a.number + 1);
-  const auto ends = [](const Piece& piece) {
-    std::set<std::size_t> places;
-    if (piece.from_place) places.insert(*piece.from_place);
-    if (piece.to_place) places.insert(*piece.to_place);
-    return places;
-  };
-  const std::set<std::size_t> a_places = ends(a), b_places = ends(b);
-  const bool share_a_place = std::any_of(a_places.begin(), a_places.end(),
-                                         [&](std::size_t p) { return b_places.contains(p); });
+  const bool share_a_place =
+      (a.from_place && (a.from_place == b.from_place || a.from_place == b.to_place)) ||
+      (a.to_place && (a.to_place == b.from_place || a.to_place == b.to_place));
   return are_neighbours || share_a_place ? meet_beyond_an_end(a, b) : meet(a, b);
+}
+
+bool conflict(const std::vector<Piece>& pieces) {
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (conflict(pieces[i], pieces[j])) return true;
+  return false;
 }
 
 /// Half the plane right of the upward vertical through 0 first: clockwise from north.
@@ -115,10 +116,17 @@ bool is_plane(const TopologicalMap& map, const MapDrawing& drawing) {
       if (!has_segment.contains({PlaceId(p), arm}))
         pieces.push_back({drawing.places[p], drawing.arms[p][arm], map.segments.size(), 0, p, {}});
   }
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (conflict(pieces[i], pieces[j])) return false;
-  return true;
+  return !conflict(pieces);
+}
+
+bool meet_only_at_start(const std::vector<MapDrawing::Polyline>& lines) {
+  std::vector<Piece> pieces;
+  for (std::size_t line = 0; line < lines.size(); ++line)
+    for (std::size_t i = 1; i < lines[line].size(); ++i) {
+      pieces.push_back({lines[line][i - 1], lines[line][i], line, i});
+      if (i == 1) pieces.back().from_place = 0;
+    }
+  return !conflict(pieces);
 }
 
 }  // namespace asterism

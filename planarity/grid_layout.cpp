@@ -14,14 +14,16 @@ namespace {
 using Edge = PlaneGraph::Edge;
 
 constexpr long place_distance = 3;  ///< least length of a segment without bends: stubs fit between
-constexpr long cage_side = 2;       ///< least length of a piece of a cage's rim
 constexpr int rounds = 6;           ///< of moving columns and rows; most layouts settle in three
+
+constexpr long cage_pull = 8;  ///< cages are to be small: they stand for a place
 
 /// position[to] - position[from] >= least
 struct Gap {
   std::size_t from;
   std::size_t to;
   long least;
+  long pull = 1;  ///< what it costs to be longer
 };
 
 /// The smallest positions that keep the gaps.
@@ -29,7 +31,7 @@ std::vector<long> packed(std::size_t count, const std::vector<Gap>& gaps) {
   std::vector<long> position(count, 0);
   for (bool has_moved = true; has_moved;) {
     has_moved = false;
-    for (const auto& [from, to, least] : gaps) {
+    for (const auto& [from, to, least, pull] : gaps) {
       if (position[to] >= position[from] + least) continue;
       position[to] = position[from] + least;
       has_moved = true;
@@ -43,15 +45,15 @@ std::vector<long> packed(std::size_t count, const std::vector<Gap>& gaps) {
 ///
 /// The linear program  minimise Σ cost(x_to - x_from),  x_to - x_from >= least  is the dual of a
 /// cheapest flow in which each gap is an unlimited arc of cost -least, and each rise of an edge's
-/// cost a backward arc of capacity 1; the positions are its potentials, negated.
+/// cost a backward arc of capacity `pull`; the positions are its potentials, negated.
 std::vector<long> pulled_together(const std::vector<long>& start, const std::vector<Gap>& gaps,
                                   const std::vector<Gap>& edges) {
   constexpr long dearer_at[] = {0, 1, 2, 3, 5, 8, 12};
   const long unlimited = 1'000'000;
   std::vector<FlowArc> arcs;
-  for (const auto& [from, to, least] : gaps) arcs.push_back({from, to, unlimited, -least});
-  for (const auto& [from, to, least] : edges)
-    for (const long extra : dearer_at) arcs.push_back({to, from, 1, least + extra});
+  for (const auto& [from, to, least, pull] : gaps) arcs.push_back({from, to, unlimited, -least});
+  for (const auto& [from, to, least, pull] : edges)
+    for (const long extra : dearer_at) arcs.push_back({to, from, pull, least + extra});
   std::vector<long> potential;
   for (const long position : start) potential.push_back(-position);
   const Flow flow = cheapest_flow(arcs, std::vector<long>(start.size(), 0), potential);
@@ -71,7 +73,8 @@ class Axis {
     for (std::size_t v = 0; v < line_.size(); ++v) line_[v] = root(v);
     for (std::size_t d = 0; d < graph.dart_count(); ++d)
       if (direction[d] == axis)
-        edges_.push_back({line_[graph[d].origin], line_[graph.target(d)], least_length(graph, d)});
+        edges_.push_back({line_[graph[d].origin], line_[graph.target(d)], least_length(graph, d),
+                          graph.edge(d) == Edge::cage ? cage_pull : 1});
   }
 
   std::size_t line(std::size_t vertex) const { return line_[vertex]; }
@@ -116,7 +119,7 @@ std::vector<Gap> neighbours(const PlaneGraph& graph, const Axis& axis, const Pos
     for (std::size_t i = 1; i < lines.size(); ++i)
       least[{lines[i - 1].second, lines[i].second}] = 1;
   }
-  for (const auto& [from, to, length] : axis.edges()) {
+  for (const auto& [from, to, length, pull] : axis.edges()) {
     long& wanted = least[{from, to}];
     wanted = std::max(wanted, length);
   }

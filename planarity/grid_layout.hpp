@@ -12,6 +12,8 @@ struct GridPoint {
   friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
+constexpr long cage_side = 2;  ///< least length of a piece of a cage's rim, in grid steps
+
 /// Where the vertices of a connected graph of orthogonal shape lie on a grid: edges horizontal or
 /// vertical, none crossing, segments short and of like length, stubs of length 1.
 ///

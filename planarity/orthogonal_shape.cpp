@@ -12,7 +12,7 @@ namespace {
 using Edge = PlaneGraph::Edge;
 
 // What a quarter turn costs. A bend in a segment is a nuisance, two in one segment a bigger one; a
-// path that bends inside a dead end's place looks wrong; a cage has no preferred corner.
+// path that bends inside a dead end's place looks wrong.
 constexpr long bend_costs[] = {10, 12, 14, 16};
 constexpr long further_bend_cost = 20;
 constexpr long place_bend_cost = 9;
@@ -29,7 +29,7 @@ struct TurnArc {
 struct TurnNetwork {
   std::vector<FlowArc> arcs;
   std::vector<TurnArc> meanings;
-  std::size_t vertex_count = 0;
+  std::vector<long> demand;  ///< left turns still wanted by inner faces, then by quarters of cages
 
   void add(std::size_t from_face, std::size_t to_face, long capacity, long cost, TurnArc meaning) {
     if (from_face == to_face) return;
@@ -43,9 +43,26 @@ bool is_inside_cage(const PlaneGraph& graph, std::size_t dart) {
   return graph.edge(dart) == Edge::cage && dart % 2 == 1;
 }
 
+/// Makes a cage a rectangle: one of the two outer corners of a vertex of its rim gives its turn to
+/// the inner one, once in each quarter of the rim, so that the arms are spread over the four sides.
+void add_cage(TurnNetwork& network, const PlaneGraph& graph, const PlaneGraph::Faces& faces,
+              std::size_t first) {
+  const std::vector<std::size_t> rim = graph.face(first);
+  const std::size_t quarters = network.demand.size();
+  network.demand.resize(quarters + 4, 1);
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const std::size_t before = graph[rim[i]].next ^ 1;  // arrives at the same vertex, outside
+    const std::size_t inward = graph[before].next ^ 1;  // the arm, arriving
+    const std::size_t quarter = quarters + 4 * i / rim.size();
+    for (const std::size_t loses : {before, inward})
+      network.add(faces.of_dart[loses], quarter, 1, 0, {rim[i], loses, false});
+  }
+}
+
 TurnNetwork turn_network(const PlaneGraph& graph, const PlaneGraph::Faces& faces) {
   TurnNetwork network;
-  network.vertex_count = faces.first.size();
+  for (const std::size_t first : faces.first)
+    network.demand.push_back(is_inside_cage(graph, first) ? 0 : 4 - turns(graph, first));
   for (std::size_t d = 0; d < graph.dart_count(); ++d) {
     const std::size_t face = faces.of_dart[d];
     const std::size_t other = faces.of_dart[d ^ 1];
@@ -59,26 +76,16 @@ TurnNetwork turn_network(const PlaneGraph& graph, const PlaneGraph::Faces& faces
       const std::size_t across = next ^ 1;
       network.add(faces.of_dart[across], face, 1, place_bend_cost, {d, across, false});
     }
-    // Inside a cage: one of the two outer corners of this vertex gives its turn to the inner one.
-    if (is_inside_cage(graph, d)) {
-      const std::size_t vertex = network.vertex_count++;
-      const std::size_t before = next ^ 1;                // the rim dart that arrives here, outside
-      const std::size_t inward = graph[before].next ^ 1;  // the arm, arriving
-      network.add(faces.of_dart[before], vertex, 1, 0, {d, before, false});
-      network.add(faces.of_dart[inward], vertex, 1, 0, {d, inward, false});
-      network.arcs.push_back({vertex, face, 1, 0});
-      network.meanings.push_back({d, d, false});
-    }
+    if (is_inside_cage(graph, d) && d == faces.first[face]) add_cage(network, graph, faces, d);
   }
   return network;
 }
 
-Flow turn_flow(const PlaneGraph& graph, const PlaneGraph::Faces& faces, const TurnNetwork& network,
-               std::size_t outer) {
-  std::vector<long> supply(network.vertex_count, 0);
-  for (std::size_t face = 0; face < faces.first.size(); ++face)
-    supply[face] = turns(graph, faces.first[face]) - (face == outer ? -4 : 4);
-  return cheapest_flow(network.arcs, supply, std::vector<long>(network.vertex_count, 0));
+Flow turn_flow(const TurnNetwork& network, std::size_t outer) {
+  std::vector<long> supply;
+  for (const long wanted : network.demand) supply.push_back(-wanted);
+  supply[outer] += 8;
+  return cheapest_flow(network.arcs, supply, std::vector<long>(supply.size(), 0));
 }
 
 /// The faces most like an outer one, by their natural turns.
@@ -108,8 +115,7 @@ PlaneGraph with_orthogonal_shape(const PlaneGraph& graph) {
   const TurnNetwork network = turn_network(graph, faces);
   std::optional<Flow> best;
   for (const std::size_t outer : outer_candidates(graph, faces))
-    if (const Flow flow = turn_flow(graph, faces, network, outer); !best || flow.cost < best->cost)
-      best = flow;
+    if (const Flow flow = turn_flow(network, outer); !best || flow.cost < best->cost) best = flow;
 
   PlaneGraph shaped = graph;
   for (std::size_t a = 0; a < network.arcs.size(); ++a) {

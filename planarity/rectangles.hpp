@@ -6,7 +6,7 @@ namespace asterism {
 
 /// The graph in a rectangular frame, with helper edges that cut its faces into rectangles: each
 /// reflex corner is prolonged up to the edge in front of it. Vertices and darts of `graph` keep
-/// their numbers; darts whose edge was cut end at the first cut.              [Tamassia 1987]
+/// their numbers; darts whose edge was cut end at the first cut.              [T87]
 ///
 /// @pre turns round each inner face add up to 4, round the outer one to -4
 PlaneGraph cut_into_rectangles(const PlaneGraph& graph);
