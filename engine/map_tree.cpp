@@ -216,6 +216,13 @@ MapTree::Growth MapTree::Growing::extend(std::span<const Visit> visits) {
         engine);
     if (growth != Growth::complete) undo();
     return growth;
+  } catch (const DifferenceError& difference) {
+    undo();
+    // Depth first, another branch may differ earlier: see whether a shorter trace shows it.
+    std::vector<Visit> shorter = difference.shortest_trace.visits;
+    shorter.pop_back();
+    if (shorter.size() > levels_before) Growing(options).extend(shorter);
+    throw;
   } catch (...) {
     undo();
     throw;
