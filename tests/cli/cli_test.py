@@ -168,6 +168,16 @@ class Axioms(Folder):
         self.assertEqual(refused.returncode, 65)
         self.assertIn("expected solver", refused.stderr)
 
+    def test_terms_without_end_are_refused(self):
+        folder = self.folder / "axioms"
+        shutil.copytree(SOURCE / "axioms", folder, ignore=shutil.ignore_patterns("*.?pp"))
+        (folder / "own.smt2").write_text(
+            "(assert (! (forall ((d DirectedPath) (p Place)) (=> (on d p) (on (opp d) p)))\n"
+            " :named both_ways))")
+        done = run("map", ACES, "--axioms", folder, "--check", "solver")
+        self.assertEqual((done.returncode, done.stdout), (65, ""))
+        self.assertIn("own.smt2:1: found terms of opp without end", done.stderr)
+
     def test_another_preference(self):
         folder = self.folder / "axioms"
         shutil.copytree(SOURCE / "axioms", folder, ignore=shutil.ignore_patterns("*.?pp"))
