@@ -42,11 +42,13 @@ MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms)
 /// Grows the tree. In one pass where nothing can stop it early, since that is the fastest; else
 /// visit by visit, to end on a whole level.
 std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
-                                const Progress& progress) {
+                                Progress& progress) {
   const bool may_stop = command.options.max_hypotheses || command.options.time_limit_s ||
                         command.options.check != "native";
   const std::size_t step = may_stop ? 1 : trace.visits.size();
-  for (std::size_t k = 0; k < trace.visits.size(); k += step)
+  for (std::size_t k = 0; k < trace.visits.size(); k += step) {
+    // The tree asks now and then within a level; a small one is over before.
+    if (may_stop && !progress(k, tree.size())) return progress.stopped_by();
     switch (tree.extend(std::span(trace.visits).subspan(k, step))) {
       case MapTree::Growth::complete:
         break;
@@ -55,6 +57,7 @@ std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapComm
       case MapTree::Growth::too_many:
         return fmt::format("limit of {} hypotheses", *command.options.max_hypotheses);
     }
+  }
   return std::nullopt;
 }
 

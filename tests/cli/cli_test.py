@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree as xml
 
@@ -133,6 +134,20 @@ class Limits(Folder):
 
     def test_time(self):
         self.assertEqual(self.stopped("--time-limit", "0.3")["stopped_by"], "time limit")
+
+    def test_time_is_asked_for_at_every_visit_however_few_the_maps(self):
+        for check in ("native", "solver"):
+            self.assertEqual(run("map", ACES, "--check", check, "--time-limit", "0").returncode, 2)
+
+    def test_certification_ends_in_time_though_grounding_is_long(self):
+        # Straight on through 200 crossings: a million instances of transitive.
+        star = "a+1 b+1 a-1 b-1"
+        straight = [{"star": star, "left_by": "a+"}]
+        straight += [{"star": star, "entered_by": "a-", "left_by": "a+"}] * 199
+        file = self.file("straight.trace.json", trace(*straight))
+        begin = time.monotonic()
+        self.assertIn("not certified within 0.1 s", run("map", file, "--certify", "0.1").stdout)
+        self.assertLess(time.monotonic() - begin, 20)
 
     def test_the_text_says_how_far_it_got(self):
         done = run("map", self.big, "--max-hypotheses", "1000")
