@@ -75,6 +75,11 @@ class Maps(Folder):
         self.assertEqual(keys, sorted(keys))
         self.assertEqual(run("validate", file).returncode, 0)
 
+    def test_the_text_spells_out_some_of_all_maps_and_counts_the_others(self):
+        text = run("map", ACES, "--all", "--certify", "0").stdout
+        self.assertIn("\nmap 19\n", text)
+        self.assertTrue(text.endswith("\n(87 more: see --json)\n"))
+
     def test_same_bytes_twice(self):
         first, second = (run("map", ACES, "--all", "--json", "-").stdout for _ in range(2))
         self.assertEqual(first, second)
