@@ -310,6 +310,12 @@ class BadInput(Folder):
     def test_usage(self):
         for arguments in ([], ["map"], ["fly"], ["map", ACES, "--check", "oracle"],
                           ["map", ACES, "--certify", "-1"], ["map", ACES, "--time-limit", "x"],
+                          ["map", ACES, "--time-limit", "nan"], ["map", ACES, "--certify", "inf"],
+                          ["map", ACES, "--max-hypotheses", "-1"],
+                          ["map", ACES, "--why-not", "0,-1"],
+                          ["map", ACES, "--why-not", "0,1", "--max-hypotheses", "1"],
+                          ["map", ACES, "--why-not", "0,1", "--json", "-"],
+                          ["simulate", "--travels", "-1"], ["simulate", "--missing", "nan"],
                           ["simulate", "--world", "moon"], ["map", ACES, "--unknown"]):
             with self.subTest(arguments=arguments):
                 self.refused(64, *arguments)
