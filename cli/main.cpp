@@ -186,7 +186,10 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return fail(exit_usage, error.what() + std::string("; see --help"));
   }
-  return chosen();
+  const int code = chosen();
+  if (std::cout.flush().fail() || std::fflush(stdout) != 0)
+    return fail(exit_internal, "stdout: found a failure to write; expected the result there");
+  return code;
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "io/chart_svg.hpp"
 #include "io/map_svg.hpp"
 #include "io/maps_file.hpp"
+#include "io/text_file.hpp"
 #include "io/trace_file.hpp"
 #include "planarity/plane_drawing.hpp"
 
@@ -152,6 +153,14 @@ MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomS
   return report;
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw Error(folder.string() + ": found " + system_message(error.value()) +
+                "; expected a folder to write to");
+}
+
 /// How many maps each visit leaves, under the other view on planarity: for the chart.
 std::vector<std::uint64_t> other_counts(const MapCommand& command, const AxiomSet& axioms,
                                         const Trace& trace) {
@@ -169,7 +178,7 @@ std::vector<std::uint64_t> other_counts(const MapCommand& command, const AxiomSe
 void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Trace& trace,
                     const MapReport& report, std::span<const TopologicalMap> models) {
   const std::filesystem::path folder(*command.svg_folder);
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   const std::size_t drawings = std::min(models.size(), most_drawings);
   for (std::size_t i = 0; i < drawings; ++i)
     write_atomically(
@@ -188,7 +197,7 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
 
 void write_problem(const std::filesystem::path& folder, const std::string& name, const Trace& trace,
                    std::span<const Arrival> hypothesis, const AxiomSet& axioms) {
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   write_atomically((folder / name).string(), smt2_text(trace, hypothesis, axioms));
 }
 

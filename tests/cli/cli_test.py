@@ -324,6 +324,17 @@ class BadInput(Folder):
         done = run("map", ACES, "--json", self.folder / "no/such/folder.json")
         self.assertNotEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"^asterism: [^\n]+\n$")
+        done = run("map", ACES, "--svg", "/dev/null/folder")
+        self.assertEqual(done.returncode, 70)
+        self.assertRegex(done.stderr, r"^asterism: /dev/null/folder: found [^\n]+\n$")
+
+    def test_a_result_that_got_lost(self):
+        for arguments in (["map", ACES, "--json", "-"], ["map", ACES], ["simulate"], ["axioms"]):
+            with self.subTest(arguments=arguments), open("/dev/full", "w") as full:
+                done = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE,
+                                      text=True, timeout=300)
+                self.assertEqual(done.returncode, 70)
+                self.assertRegex(done.stderr, r"^asterism: stdout: found [^\n]+\n$")
 
     def test_validate_goes_on_after_a_bad_file(self):
         bad = self.file("bad.trace.json", "{")
