@@ -3,8 +3,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/error.hpp"
+
 namespace asterism {
 namespace {
+
+/// Deeper terms come of an axiom that makes terms of terms without end.
+constexpr std::size_t max_depth = 16;
 
 /// The relations that can make a formula true by holding themselves, or where `negated`, false.
 void collect_heads(const Formula& formula, bool negated, std::vector<const Formula*>& heads) {
@@ -90,6 +95,12 @@ Grounder::GroundAtom Grounder::atom(const Fact& fact) {
     throw std::invalid_argument(fact.relation + ": wrong number of arguments");
   for (std::size_t i = 0; i < sorts.size(); ++i)
     result.arguments.push_back(constant(fact.arguments[i], sorts[i]));
+  return result;
+}
+
+std::size_t Grounder::depth(TermId id) const {
+  std::size_t result = 0;
+  for (; !terms_[id].argument.empty(); id = terms_[id].argument.front()) ++result;
   return result;
 }
 
@@ -193,7 +204,14 @@ void Grounder::complete(const Rule& rule, Instance& instance,
       return;
   for (const Formula* head : rule.heads) {
     GroundAtom derived{relation_numbers_.at(head->relation), {}};
-    for (const Term& term : head->terms) derived.arguments.push_back(bind(term, instance.binding));
+    for (const Term& term : head->terms) {
+      derived.arguments.push_back(bind(term, instance.binding));
+      if (term.kind == Term::Kind::application && depth(derived.arguments.back()) > max_depth)
+        throw InputError(
+            rule.axiom->file + ":" + std::to_string(rule.axiom->line),
+            "terms of " + term.symbol + " without end in the conclusion of " + rule.axiom->name,
+            "terms at most " + std::to_string(max_depth) + " deep");
+    }
     learn(std::move(derived));
   }
   found(std::move(instance));

@@ -57,6 +57,7 @@ class Grounder {
   Grounder(const Grounder&) = delete;
 
   /// Adds a fact; calls `found` with every instance that it completes.
+  /// @throws InputError if an axiom derives terms of terms without end
   void add(const Fact& fact, const std::function<void(Instance)>& found);
   /// Forgets the atoms derived since the matching push().
   void push() { marks_.push_back(known_.size()); }
@@ -93,6 +94,7 @@ class Grounder {
   static constexpr TermId unbound = UINT32_MAX;
 
   TermId intern(const std::string& symbol, std::vector<TermId> argument, const std::string& sort);
+  std::size_t depth(TermId id) const;
   bool learn(GroundAtom atom);
   void join(const Rule& rule, std::size_t fixed, std::size_t premise, AtomId newest,
             Instance& instance, const std::function<void(Instance)>& found);

@@ -1,7 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <iostream>
 
 #include "cli/options.hpp"
 #include "core/error.hpp"
@@ -11,6 +14,25 @@
 namespace {
 
 using namespace asterism;
+
+/// CLI11 takes -1 for 2^64 - 1.
+const CLI::Validator whole_number(
+    [](const std::string& text) {
+      const bool is_number = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+        return c >= '0' && c <= '9';
+      });
+      return is_number ? "" : "found " + text + "; expected a whole number";
+    },
+    "");
+
+/// CLI::Range takes NaN for one of its numbers.
+const CLI::Validator finite_number(
+    [](const std::string& text) {
+      double value = 0;
+      const bool is_finite = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+      return is_finite ? "" : "found " + text + "; expected a number";
+    },
+    "");
 
 void add_axiom_options(CLI::App& app, AxiomOptions& options) {
   app.add_option("--axioms", options.folder,
@@ -41,6 +63,7 @@ Exit code: 0 a map exists, 1 none does, 2 stopped by a limit, 65 bad input, 70 i
   map.add_option("--certify", options.certify_s,
                  "Seconds the solver may take to certify the minimal models; 0: do not")
       ->type_name("S")
+      ->check(finite_number)
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   map.add_option("--json", command.json, "Write a maps file; -: alone on stdout")
@@ -52,18 +75,24 @@ Exit code: 0 a map exists, 1 none does, 2 stopped by a limit, 65 bad input, 70 i
   map.add_option("--export-smt2", command.smt2_folder,
                  "Write the grounded problem of each map listed, for z3 or cvc5")
       ->type_name("DIR");
-  map.add_option(
-         "--why-not", command.why_not,
-         "Say why the last of these visits cannot be at the last of these places: the place "
-         "of each visit from the first, a new one having the next number")
-      ->type_name("PLACES")
-      ->delimiter(',');
+  CLI::Option& why_not =
+      *map.add_option(
+              "--why-not", command.why_not,
+              "Say why the last of these visits cannot be at the last of these places: the place "
+              "of each visit from the first, a new one having the next number")
+           ->type_name("PLACES")
+           ->check(whole_number)
+           ->delimiter(',');
   map.add_option("--max-hypotheses", options.max_hypotheses,
                  "Stop when a visit leaves more maps than this")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(whole_number);
   map.add_option("--time-limit", options.time_limit_s, "Stop growing after this many seconds")
       ->type_name("S")
+      ->check(finite_number)
       ->check(CLI::NonNegativeNumber);
+  for (const char* option : {"--json", "--all", "--svg", "--max-hypotheses", "--time-limit"})
+    why_not.excludes(map.get_option(option));
   map.callback([&] { chosen = [&] { return map_command(command); }; });
 }
 
@@ -78,8 +107,12 @@ Same options, same bytes.)");
   simulate.add_option("--world", command.world, "Kind of world")
       ->check(CLI::IsMember({"grid", "corridors"}))
       ->capture_default_str();
-  simulate.add_option("--seed", command.seed, "Seed of world and walk")->capture_default_str();
-  simulate.add_option("--travels", command.travels, "Travels to make")->capture_default_str();
+  simulate.add_option("--seed", command.seed, "Seed of world and walk")
+      ->check(whole_number)
+      ->capture_default_str();
+  simulate.add_option("--travels", command.travels, "Travels to make")
+      ->check(whole_number)
+      ->capture_default_str();
   simulate.add_option("--width", command.width, "Points of a grid from west to east")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -87,9 +120,11 @@ Same options, same bytes.)");
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   simulate.add_option("--missing", command.missing, "Share of a grid's corridors that are missing")
+      ->check(finite_number)
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   simulate.add_option("--stubs", command.stubs, "Share of those that are blind stubs")
+      ->check(finite_number)
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   simulate.add_option("--corridors", command.corridors, "Corridors of a corridor world")
@@ -151,7 +186,10 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return fail(exit_usage, error.what() + std::string("; see --help"));
   }
-  return chosen();
+  const int code = chosen();
+  if (std::cout.flush().fail() || std::fflush(stdout) != 0)
+    return fail(exit_internal, "stdout: found a failure to write; expected the result there");
+  return code;
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "io/chart_svg.hpp"
 #include "io/map_svg.hpp"
 #include "io/maps_file.hpp"
+#include "io/text_file.hpp"
 #include "io/trace_file.hpp"
 #include "planarity/plane_drawing.hpp"
 
@@ -42,11 +43,13 @@ MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms)
 /// Grows the tree. In one pass where nothing can stop it early, since that is the fastest; else
 /// visit by visit, to end on a whole level.
 std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
-                                const Progress& progress) {
+                                Progress& progress) {
   const bool may_stop = command.options.max_hypotheses || command.options.time_limit_s ||
                         command.options.check != "native";
   const std::size_t step = may_stop ? 1 : trace.visits.size();
-  for (std::size_t k = 0; k < trace.visits.size(); k += step)
+  for (std::size_t k = 0; k < trace.visits.size(); k += step) {
+    // The tree asks now and then within a level; a small one is over before.
+    if (may_stop && !progress(k, tree.size())) return progress.stopped_by();
     switch (tree.extend(std::span(trace.visits).subspan(k, step))) {
       case MapTree::Growth::complete:
         break;
@@ -55,6 +58,7 @@ std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapComm
       case MapTree::Growth::too_many:
         return fmt::format("limit of {} hypotheses", *command.options.max_hypotheses);
     }
+  }
   return std::nullopt;
 }
 
@@ -141,11 +145,20 @@ MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomS
     progress.grown("certifying the minimal models");
     const Certificate certificate =
         certify(tree.trace(), axioms, command.options.planar, models, command.options.certify_s);
-    if (certificate == Certificate::refuted)
+    // What was kept undecided may well be refuted, given more time.
+    if (certificate == Certificate::refuted && tree.undecided() == 0)
       throw std::logic_error("the solver refutes the minimal models of the tree");
     report.minimal->certified = certificate == Certificate::shown;
   }
   return report;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw Error(folder.string() + ": found " + system_message(error.value()) +
+                "; expected a folder to write to");
 }
 
 /// How many maps each visit leaves, under the other view on planarity: for the chart.
@@ -165,7 +178,7 @@ std::vector<std::uint64_t> other_counts(const MapCommand& command, const AxiomSe
 void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Trace& trace,
                     const MapReport& report, std::span<const TopologicalMap> models) {
   const std::filesystem::path folder(*command.svg_folder);
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   const std::size_t drawings = std::min(models.size(), most_drawings);
   for (std::size_t i = 0; i < drawings; ++i)
     write_atomically(
@@ -184,7 +197,7 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
 
 void write_problem(const std::filesystem::path& folder, const std::string& name, const Trace& trace,
                    std::span<const Arrival> hypothesis, const AxiomSet& axioms) {
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   write_atomically((folder / name).string(), smt2_text(trace, hypothesis, axioms));
 }
 

@@ -100,8 +100,8 @@ std::string report_text(const MapReport& report, std::size_t visits, std::size_t
   for (std::size_t i = 0; i < std::min(report.maps.size(), most_maps); ++i)
     text += fmt::format("\n{} {}\n", report.options.all ? "map" : "model", i) +
             map_text(report.maps[i]);
-  if (report.maps.size() > most_maps)
-    text += fmt::format("\n({} more: see --json)\n", report.maps.size() - most_maps);
+  const std::size_t all = report.options.all ? report.consistent.value_or(0) : report.maps.size();
+  if (all > most_maps) text += fmt::format("\n({} more: see --json)\n", all - most_maps);
   return text;
 }
 

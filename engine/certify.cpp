@@ -33,10 +33,13 @@ unsigned milliseconds_until(Clock::time_point deadline) {
 }
 
 Verdict check_model(const ArmTable& table, const AxiomSet& axioms, std::span<const ArmIndex> named,
-                    unsigned timeout_ms) {
-  AxiomSolver solver(axioms, timeout_ms);
+                    Clock::time_point deadline) {
+  AxiomSolver solver(axioms, milliseconds_until(deadline));
   solver.add(general_facts());
-  for (std::size_t k = 0; k < named.size(); ++k) solver.add(visit_facts(table, named.first(k + 1)));
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    if (Clock::now() > deadline) return Verdict::undecided;
+    solver.add(visit_facts(table, named.first(k + 1)));
+  }
   return solver.check();
 }
 
@@ -53,15 +56,18 @@ class PreferredMap {
         solver_(context_, z3::solver::simple()),
         grounder_(axioms),
         vocabulary_(context_, grounder_) {
+    // Cut short, it is never asked: exists() finds itself out of time as well.
     assert_choices();
+    if (out_of_time()) return;
     solver_.add(is_preferred());
     ground(general_facts(), context_.bool_val(true));
-    for (std::size_t k = 0; k < table_.visits(); ++k) ground(place_facts(table_, k), is_new(k));
+    for (std::size_t k = 0; k < table_.visits() && !out_of_time(); ++k)
+      ground(place_facts(table_, k), is_new(k));
   }
 
   /// inconsistent: there is none.
   Verdict exists() {
-    while (Clock::now() < deadline_) {
+    while (!out_of_time()) {
       z3::params parameters(context_);
       parameters.set("timeout", milliseconds_until(deadline_));
       solver_.set(parameters);
@@ -83,6 +89,8 @@ class PreferredMap {
   }
 
  private:
+  bool out_of_time() const { return Clock::now() >= deadline_; }
+
   z3::expr at(std::size_t k, ArmIndex arm) {
     return context_.bool_const(("at_" + std::to_string(k) + "_" + std::to_string(arm)).c_str());
   }
@@ -111,7 +119,7 @@ class PreferredMap {
     const auto use = [&](ArmIndex arm, const z3::expr& by) {
       used.try_emplace(arm, context_).first->second.push_back(by);
     };
-    for (std::size_t k = 0; k < visits; ++k) {
+    for (std::size_t k = 0; k < visits && !out_of_time(); ++k) {
       for (ArmIndex arm = 0; k > 0 && arm < table_.first_arm(k); ++arm)
         if (may_be_at(k, arm)) choices_[k].push_back(arm);
       choices_[k].push_back(table_.entered(k));
@@ -200,11 +208,16 @@ class PreferredMap {
     return true;
   }
 
-  /// Grounds the axioms on this map. Nothing new to say means that it satisfies them all.
+  /// Grounds the axioms on this map. Nothing new to say means that it satisfies them all. Stops
+  /// when out of time, as if there were more to say.
   bool refute(std::span<const ArmIndex> named) {
     bool any = false;
     grounder_.push();
     for (std::size_t k = 1; k < named.size(); ++k) {
+      if (out_of_time()) {
+        any = true;
+        break;
+      }
       const auto facts = travel_facts(table_, k, table_.left(k - 1, named[k - 1]), named[k]);
       for (const Fact& fact : facts) {
         any |= assert_new(z3::implies(at(k - 1, named[k - 1]) && at(k, named[k]),
@@ -260,8 +273,7 @@ Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
     const TopologicalMap map = make_map(trace, model);
     if (!best) best = rank(map, axioms);
     if (rank(map, axioms) != *best || (planar && !is_planar(map))) return Certificate::refuted;
-    if (Clock::now() > deadline) return Certificate::not_shown;
-    switch (check_model(table, axioms, table.named(model), milliseconds_until(deadline))) {
+    switch (check_model(table, axioms, table.named(model), deadline)) {
       case Verdict::inconsistent:
         return Certificate::refuted;
       case Verdict::undecided:

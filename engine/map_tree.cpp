@@ -236,7 +236,10 @@ MapTree& MapTree::operator=(MapTree&&) noexcept = default;
 
 MapTree::Growth MapTree::extend(std::span<const Visit> visits) { return growing_->extend(visits); }
 
-void MapTree::leave(std::size_t left_by) { growing_->table.leave(left_by); }
+void MapTree::leave(std::size_t left_by) {
+  if (growing_->table.visits() == 0) throw std::invalid_argument("there is no visit to leave");
+  growing_->table.leave(left_by);
+}
 
 std::uint64_t MapTree::size() const {
   return growing_->per_visit.empty() ? 0 : growing_->per_visit.back();

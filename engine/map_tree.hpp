@@ -69,6 +69,7 @@ class MapTree {
   Growth extend(const Visit& visit) { return extend({&visit, 1}); }
 
   /// The robot leaves the place of the last visit by an arm of that visit's own star.
+  /// @throws std::invalid_argument if there was no visit, or the arm has no gateway
   void leave(std::size_t left_by);
 
   /// Hypotheses that explain all visits.

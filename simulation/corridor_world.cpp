@@ -10,7 +10,7 @@ namespace asterism {
 namespace {
 
 /// Crossings this flat would be hard to tell from a corridor that goes on.
-constexpr double kMinSineOfCrossing = 0.35;
+constexpr double min_sine_of_crossing = 0.35;
 
 WorldPoint operator+(WorldPoint a, WorldPoint b) { return {a.x_m + b.x_m, a.y_m + b.y_m}; }
 WorldPoint operator-(WorldPoint a, WorldPoint b) { return {a.x_m - b.x_m, a.y_m - b.y_m}; }
@@ -75,7 +75,7 @@ bool has_room(const Line& line, const std::vector<Line>& others,
       return false;
     const auto along_m = crossing_m(line, other);
     if (!along_m) continue;
-    if (std::abs(cross(line.direction, other.direction)) < kMinSineOfCrossing) return false;
+    if (std::abs(cross(line.direction, other.direction)) < min_sine_of_crossing) return false;
     const WorldPoint crossing = line.start + *along_m * line.direction;
     for (const WorldPoint& point : all)
       if (length(crossing - point) < clearance_m) return false;
@@ -117,12 +117,12 @@ Corridor finish(Line line, std::size_t number, const CorridorOptions& options,
 }
 
 World draw(const CorridorOptions& options, RandomEngine& engine) {
-  constexpr int kTries = 50;
+  constexpr int tries = 50;
   std::vector<Line> lines;
   std::vector<WorldPoint> points;
   for (std::size_t i = 0; i < options.corridors; ++i) {
     Line line = random_line(options, engine);
-    for (int n = 1; n < kTries && !has_room(line, lines, points, options.clearance_m); ++n)
+    for (int n = 1; n < tries && !has_room(line, lines, points, options.clearance_m); ++n)
       line = random_line(options, engine);
     if (!has_room(line, lines, points, options.clearance_m)) continue;
     for (Line& other : lines) {
@@ -145,13 +145,13 @@ World draw(const CorridorOptions& options, RandomEngine& engine) {
 }  // namespace
 
 World corridor_world(const CorridorOptions& options, RandomEngine& engine) {
-  constexpr int kDraws = 1000;
-  for (int i = 0; i < kDraws; ++i) {
+  constexpr int draws = 1000;
+  for (int i = 0; i < draws; ++i) {
     World world = draw(options, engine);
     if (!world.segments.empty() && world.places.size() >= options.min_places) return world;
   }
   throw std::invalid_argument("found no world of " + std::to_string(options.min_places) +
-                              " places in " + std::to_string(kDraws) +
+                              " places in " + std::to_string(draws) +
                               " draws; expected more or longer corridors");
 }
 

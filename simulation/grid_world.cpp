@@ -53,13 +53,13 @@ World draw(const GridOptions& options, RandomEngine& engine) {
 }  // namespace
 
 World grid_world(const GridOptions& options, RandomEngine& engine) {
-  constexpr int kDraws = 1000;
-  for (int i = 0; i < kDraws; ++i) {
+  constexpr int draws = 1000;
+  for (int i = 0; i < draws; ++i) {
     World world = draw(options, engine);
     if (!world.segments.empty() && world.places.size() >= options.min_places) return world;
   }
   throw std::invalid_argument("found no grid of " + std::to_string(options.min_places) +
-                              " places in " + std::to_string(kDraws) +
+                              " places in " + std::to_string(draws) +
                               " draws; expected a larger grid or fewer missing corridors");
 }
 

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree as xml
 
@@ -74,6 +75,11 @@ class Maps(Folder):
         self.assertEqual(keys, sorted(keys))
         self.assertEqual(run("validate", file).returncode, 0)
 
+    def test_the_text_spells_out_some_of_all_maps_and_counts_the_others(self):
+        text = run("map", ACES, "--all", "--certify", "0").stdout
+        self.assertIn("\nmap 19\n", text)
+        self.assertTrue(text.endswith("\n(87 more: see --json)\n"))
+
     def test_same_bytes_twice(self):
         first, second = (run("map", ACES, "--all", "--json", "-").stdout for _ in range(2))
         self.assertEqual(first, second)
@@ -134,6 +140,20 @@ class Limits(Folder):
     def test_time(self):
         self.assertEqual(self.stopped("--time-limit", "0.3")["stopped_by"], "time limit")
 
+    def test_time_is_asked_for_at_every_visit_however_few_the_maps(self):
+        for check in ("native", "solver"):
+            self.assertEqual(run("map", ACES, "--check", check, "--time-limit", "0").returncode, 2)
+
+    def test_certification_ends_in_time_though_grounding_is_long(self):
+        # Straight on through 200 crossings: a million instances of transitive.
+        star = "a+1 b+1 a-1 b-1"
+        straight = [{"star": star, "left_by": "a+"}]
+        straight += [{"star": star, "entered_by": "a-", "left_by": "a+"}] * 199
+        file = self.file("straight.trace.json", trace(*straight))
+        begin = time.monotonic()
+        self.assertIn("not certified within 0.1 s", run("map", file, "--certify", "0.1").stdout)
+        self.assertLess(time.monotonic() - begin, 20)
+
     def test_the_text_says_how_far_it_got(self):
         done = run("map", self.big, "--max-hypotheses", "1000")
         self.assertRegex(done.stdout, r"stopped by limit of 1000 hypotheses before visit \d+ was")
@@ -167,6 +187,16 @@ class Axioms(Folder):
         refused = run("map", ACES, "--axioms", folder)
         self.assertEqual(refused.returncode, 65)
         self.assertIn("expected solver", refused.stderr)
+
+    def test_terms_without_end_are_refused(self):
+        folder = self.folder / "axioms"
+        shutil.copytree(SOURCE / "axioms", folder, ignore=shutil.ignore_patterns("*.?pp"))
+        (folder / "own.smt2").write_text(
+            "(assert (! (forall ((d DirectedPath) (p Place)) (=> (on d p) (on (opp d) p)))\n"
+            " :named both_ways))")
+        done = run("map", ACES, "--axioms", folder, "--check", "solver")
+        self.assertEqual((done.returncode, done.stdout), (65, ""))
+        self.assertIn("own.smt2:1: found terms of opp without end", done.stderr)
 
     def test_another_preference(self):
         folder = self.folder / "axioms"
@@ -280,6 +310,12 @@ class BadInput(Folder):
     def test_usage(self):
         for arguments in ([], ["map"], ["fly"], ["map", ACES, "--check", "oracle"],
                           ["map", ACES, "--certify", "-1"], ["map", ACES, "--time-limit", "x"],
+                          ["map", ACES, "--time-limit", "nan"], ["map", ACES, "--certify", "inf"],
+                          ["map", ACES, "--max-hypotheses", "-1"],
+                          ["map", ACES, "--why-not", "0,-1"],
+                          ["map", ACES, "--why-not", "0,1", "--max-hypotheses", "1"],
+                          ["map", ACES, "--why-not", "0,1", "--json", "-"],
+                          ["simulate", "--travels", "-1"], ["simulate", "--missing", "nan"],
                           ["simulate", "--world", "moon"], ["map", ACES, "--unknown"]):
             with self.subTest(arguments=arguments):
                 self.refused(64, *arguments)
@@ -288,6 +324,17 @@ class BadInput(Folder):
         done = run("map", ACES, "--json", self.folder / "no/such/folder.json")
         self.assertNotEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"^asterism: [^\n]+\n$")
+        done = run("map", ACES, "--svg", "/dev/null/folder")
+        self.assertEqual(done.returncode, 70)
+        self.assertRegex(done.stderr, r"^asterism: /dev/null/folder: found [^\n]+\n$")
+
+    def test_a_result_that_got_lost(self):
+        for arguments in (["map", ACES, "--json", "-"], ["map", ACES], ["simulate"], ["axioms"]):
+            with self.subTest(arguments=arguments), open("/dev/full", "w") as full:
+                done = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE,
+                                      text=True, timeout=300)
+                self.assertEqual(done.returncode, 70)
+                self.assertRegex(done.stderr, r"^asterism: stdout: found [^\n]+\n$")
 
     def test_validate_goes_on_after_a_bad_file(self):
         bad = self.file("bad.trace.json", "{")
