@@ -25,7 +25,7 @@ std::optional<std::uint64_t> number_after(const std::string& output, const std::
 
 Listing list_with_tree(const Trace& trace, const MapTree::Options& options, std::size_t runs) {
   Listing listing;
-  listing.wall_s = median(runs, [&] {
+  listing.cpu_s = listing.wall_s = median(runs, [&] {
     MapTree tree(options);
     const Stopwatch stopwatch;
     tree.extend(trace.visits);
@@ -80,8 +80,8 @@ Listing Programs::clingo(const Trace& trace, const std::string& option, double t
   if (!option.empty()) command.push_back(option);
   command.insert(command.end(), {benchmarks_ + "/maps.lp", facts});
   const ProcessResult result = run_process(command, time_limit_s);
-  if (!result.exit_code) return {std::nullopt, result.wall_s};
-  return {number_after(result.output, "Models       : "), result.wall_s};
+  if (!result.exit_code) return {std::nullopt, result.wall_s, result.cpu_s};
+  return {number_after(result.output, "Models       : "), result.wall_s, result.cpu_s};
 }
 
 Listing Programs::asterism(const Trace& trace, std::size_t runs) const {
@@ -89,7 +89,7 @@ Listing Programs::asterism(const Trace& trace, std::size_t runs) const {
   write_trace_file(file, trace);
   const std::string maps_file = scratch_.file("maps.json");
   Listing listing;
-  listing.wall_s = median(runs, [&] {
+  listing.cpu_s = listing.wall_s = median(runs, [&] {
     const ProcessResult result =
         run_process({asterism_, "map", file, "--certify", "0", "--json", maps_file}, 600);
     if (result.exit_code != 0)

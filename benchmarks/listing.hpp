@@ -15,6 +15,7 @@ namespace asterism {
 struct Listing {
   std::optional<std::uint64_t> maps;  ///< absent: not all of them in the time given
   double wall_s = 0;
+  double cpu_s = wall_s;  ///< below it where the machine was busy with other things
 };
 
 /// Grows a fresh tree by all visits in one pass, `runs` times; the median. The tree is made before

@@ -18,14 +18,16 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Median of what `run` returns, `runs` times over, after two runs to warm up.
+/// Median of what `run` returns, after two runs to warm up. At least `runs`; if it is more than
+/// one, for half a second, in which what else the machine does evens out.
 template <class F>
 double median(std::size_t runs, F&& run) {
   for (int i = 0; i < 2; ++i) run();
+  const Stopwatch stopwatch;
   std::vector<double> results;
-  for (std::size_t i = 0; i < runs; ++i) results.push_back(run());
+  while (results.size() < runs || (runs > 1 && stopwatch.seconds() < 0.5)) results.push_back(run());
   std::ranges::sort(results);
-  return results[runs / 2];
+  return results[results.size() / 2];
 }
 
 }  // namespace asterism

@@ -11,6 +11,7 @@ namespace asterism {
 struct ProcessResult {
   std::string output;  ///< standard output
   double wall_s = 0;
+  double cpu_s = 0;              ///< of all its threads, user and system
   std::optional<int> exit_code;  ///< absent: it was still running at the time limit, or died
 };
 

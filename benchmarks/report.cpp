@@ -45,6 +45,7 @@ void Report::check(std::string_view what, std::optional<std::uint64_t> found,
 }
 
 std::string duration_text(double seconds) {
+  if (seconds < 1e-6) return digits(seconds * 1e9, 3) + " ns";
   if (seconds < 1e-3) return digits(seconds * 1e6, 3) + " µs";
   if (seconds < 1) return digits(seconds * 1e3, 3) + " ms";
   return digits(seconds, 3) + " s";
