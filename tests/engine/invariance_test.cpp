@@ -84,7 +84,7 @@ std::vector<Association> transformed(std::vector<Association> maps, F&& f) {
 }  // namespace
 
 TEST_CASE("labels, signs and the arm listed first change nothing", "[engine][property]") {
-  for (unsigned seed = 0; seed < 400; ++seed) {
+  for (unsigned seed = 0; seed < 150; ++seed) {
     const Trace trace = seeded_walk(seed, 5 + seed % 8).trace;
     INFO(to_keep(seed, trace));
     RandomEngine engine(seed);
@@ -101,7 +101,7 @@ TEST_CASE("labels, signs and the arm listed first change nothing", "[engine][pro
 }
 
 TEST_CASE("a trace walked backwards has the same maps", "[engine][property]") {
-  for (unsigned seed = 0; seed < 400; ++seed) {
+  for (unsigned seed = 0; seed < 150; ++seed) {
     const Trace trace = seeded_walk(seed, 5 + seed % 8).trace;
     INFO(to_keep(seed, trace));
     const auto turn = [&](const Association& map) { return backwards(trace, map); };
@@ -116,7 +116,7 @@ TEST_CASE("a trace walked backwards has the same maps", "[engine][property]") {
 
 TEST_CASE("however the visits come in, the tree is the same, in the same order",
           "[engine][property]") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
+  for (unsigned seed = 0; seed < 150; ++seed) {
     const Trace trace = seeded_walk(seed, 5 + seed % 8).trace;
     INFO(to_keep(seed, trace));
     RandomEngine engine(seed);

@@ -17,7 +17,7 @@ bool contains(const std::vector<Association>& sorted, const Association& map) {
 TEST_CASE("the true map is never dropped, no map comes twice, planar ones are among all",
           "[engine][property]") {
   for (unsigned seed = 0; seed < 2'000; ++seed) {
-    const Walk walked = seeded_walk(seed, 4 + seed % 9);
+    const Walk walked = seeded_walk(seed, 4 + seed % 7);
     INFO(to_keep(seed, walked.trace));
     const auto all = maps_of(tree_of(walked.trace, false));
     const auto planar = maps_of(tree_of(walked.trace, true));
@@ -31,7 +31,7 @@ TEST_CASE("the true map is never dropped, no map comes twice, planar ones are am
 
 TEST_CASE("the true map of a long walk is never dropped where it must be planar",
           "[engine][property]") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
     const Walk walked = seeded_walk(seed, 13 + seed % 4);
     INFO(to_keep(seed, walked.trace));
     CHECK(contains(maps_of(tree_of(walked.trace, true)), walked.truth));
@@ -40,7 +40,7 @@ TEST_CASE("the true map of a long walk is never dropped where it must be planar"
 
 TEST_CASE("the planar maps after each visit are those of all that pass the Euler count",
           "[engine][planarity][property]") {
-  for (unsigned seed = 0; seed < 400; ++seed) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
     const Trace trace = seeded_walk(seed, 5 + seed % 7).trace;
     INFO(to_keep(seed, trace));
     MapTree all({.axioms = shipped_with()});
@@ -58,7 +58,7 @@ TEST_CASE("the planar maps after each visit are those of all that pass the Euler
 
 TEST_CASE("a map has half its places' arms less its segments for paths",
           "[engine][preference][property]") {
-  for (unsigned seed = 0; seed < 300; ++seed) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
     const Trace trace = seeded_walk(seed, 5 + seed % 8).trace;
     INFO(to_keep(seed, trace));
     for (const Association& association : maps_of(tree_of(trace, false))) {
