@@ -8,18 +8,16 @@
 #include <numeric>
 #include <span>
 
+#include "cli/map_parts.hpp"
 #include "cli/map_text.hpp"
-#include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "core/error.hpp"
 #include "engine/certify.hpp"
-#include "engine/explain.hpp"
 #include "engine/map_tree.hpp"
 #include "io/atomic_file.hpp"
 #include "io/chart_svg.hpp"
 #include "io/map_svg.hpp"
 #include "io/maps_file.hpp"
-#include "io/text_file.hpp"
 #include "io/trace_file.hpp"
 #include "planarity/plane_drawing.hpp"
 
@@ -28,17 +26,7 @@ namespace {
 
 constexpr std::size_t most_maps_in_text = 20;
 constexpr std::size_t most_drawings = 100;
-
-MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms) {
-  MapTree::Options options;
-  options.planar = command.options.planar;
-  options.check = command.options.check == "native"   ? Check::native
-                  : command.options.check == "solver" ? Check::solver
-                                                      : Check::both;
-  options.axioms = axioms;
-  options.max_hypotheses = command.options.max_hypotheses.value_or(UINT64_MAX);
-  return options;
-}
+constexpr std::uint64_t most_maps_in_chart = 10'000'000;
 
 /// Grows the tree. In one pass where nothing can stop it early, since that is the fastest; else
 /// visit by visit, to end on a whole level.
@@ -153,20 +141,15 @@ MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomS
   return report;
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw Error(folder.string() + ": found " + system_message(error.value()) +
-                "; expected a folder to write to");
-}
-
-/// How many maps each visit leaves, under the other view on planarity: for the chart.
+/// How many maps each visit leaves, under the other view on planarity: for the chart, whose curve
+/// ends where there would be too many for a picture.
 std::vector<std::uint64_t> other_counts(const MapCommand& command, const AxiomSet& axioms,
                                         const Trace& trace) {
   MapCommand other = command;
   other.options.planar = !command.options.planar;
   if (axioms.is_shipped()) other.options.check = "native";
+  other.options.max_hypotheses =
+      std::min(other.options.max_hypotheses.value_or(UINT64_MAX), most_maps_in_chart);
   Progress progress(trace.visits.size(), command.options.time_limit_s);
   MapTree::Options options = tree_options(other, axioms);
   options.go_on = std::ref(progress);
@@ -193,67 +176,6 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
                                         report.options.planar ? own : other));
   if (drawings < models.size())
     fmt::print(stderr, "drew the first {} of {} minimal models\n", drawings, models.size());
-}
-
-void write_problem(const std::filesystem::path& folder, const std::string& name, const Trace& trace,
-                   std::span<const Arrival> hypothesis, const AxiomSet& axioms) {
-  make_folder(folder);
-  write_atomically((folder / name).string(), smt2_text(trace, hypothesis, axioms));
-}
-
-/// Data associations with these places: several where a place can be entered by several arms.
-std::vector<std::vector<Arrival>> parents_of(const MapCommand& command, const AxiomSet& axioms,
-                                             const Trace& trace) {
-  std::span<const std::size_t> wanted(command.why_not);
-  wanted = wanted.first(wanted.size() - 1);
-  MapTree tree(tree_options(command, axioms));
-  for (std::size_t k = 0; k < wanted.size(); ++k) tree.extend(trace.visits[k]);
-  std::vector<std::vector<Arrival>> result;
-  tree.for_each([&](HypothesisId, std::span<const Arrival> arrivals) {
-    const bool is_wanted = std::ranges::equal(
-        arrivals, wanted, {}, [](const Arrival& arrival) { return arrival.place.index(); });
-    if (is_wanted) result.emplace_back(arrivals.begin(), arrivals.end());
-  });
-  return result;
-}
-
-/// Tells, for every arm by which the last visit could have come in, why it could not.
-int why_not(const MapCommand& command, const AxiomSet& axioms, const Trace& trace) {
-  const std::size_t k = command.why_not.size() - 1;
-  if (command.why_not.size() < 2 || command.why_not.size() > trace.visits.size())
-    throw InputError("--why-not", fmt::format("{} places", command.why_not.size()),
-                     fmt::format("2 to {}, one a visit", trace.visits.size()));
-  const auto parents = parents_of(command, axioms, trace);
-  if (parents.empty())
-    throw InputError("--why-not", "places that do not explain the visits before the last",
-                     "those of a consistent map, so that the last alone is in question");
-  bool possible = false;
-  std::size_t problems = 0;
-  for (const auto& parent : parents) {
-    const TopologicalMap before = make_map(trace, parent);
-    const std::size_t place = command.why_not.back();
-    if (place > before.places.size())
-      throw InputError("--why-not", fmt::format("place {}", place),
-                       fmt::format("at most {}, a new place", before.places.size()));
-    const bool is_new = place == before.places.size();
-    const Star& star = is_new ? trace.visits[k].star : before.places[place].star;
-    for (std::size_t arm = 0; arm < star.size(); ++arm) {
-      if (is_new && arm != trace.visits[k].entered_by) continue;
-      std::vector<Arrival> child = parent;
-      child.push_back({PlaceId(place), arm});
-      if (command.smt2_folder)
-        write_problem(*command.smt2_folder, fmt::format("why-not-{}.smt2", problems++), trace,
-                      child, axioms);
-      fmt::print("visit {} at place {}, in by arm {}: ", k, place, star.name(arm));
-      const auto reason = explain_dropped(trace, child, axioms, command.options.planar);
-      possible |= !reason;
-      if (reason)
-        fmt::print("dropped\n{}", refutation_text(*reason, make_map(trace, child), axioms));
-      else
-        fmt::print("not refuted\n");
-    }
-  }
-  return possible ? exit_consistent : exit_inconsistent;
 }
 
 }  // namespace

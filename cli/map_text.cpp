@@ -34,6 +34,12 @@ bool has_segment(const TopologicalMap& map, PlaceArm arm) {
 
 }  // namespace
 
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return (c >= 0 && c < ' ') || c == 127; }, '?');
+  return text;
+}
+
 std::string map_text(const TopologicalMap& map) {
   std::string text;
   for (const auto& place : map.places) {
@@ -68,7 +74,7 @@ std::string map_text(const TopologicalMap& map) {
 
 std::string report_text(const MapReport& report, std::size_t visits, std::size_t most_maps) {
   const std::string planar = report.options.planar ? "planar " : "";
-  std::string text = fmt::format("{}: {}, {}\n", report.trace, counted(visits, "visit"),
+  std::string text = fmt::format("{}: {}, {}\n", printable(report.trace), counted(visits, "visit"),
                                  counted(visits - 1, "travel"));
   if (report.per_visit)
     text += fmt::format("{}maps after each visit: {}\n", planar, fmt::join(*report.per_visit, " "));

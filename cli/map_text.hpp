@@ -7,6 +7,9 @@
 
 namespace asterism {
 
+/// Text from a file as it may be shown on a terminal: control characters become '?'.
+std::string printable(std::string text);
+
 /// A run's findings in words. Where all maps are asked for, the report may hold the first alone.
 /// @param most_maps  maps to spell out; of the others only the number is told
 std::string report_text(const MapReport& report, std::size_t visits, std::size_t most_maps);

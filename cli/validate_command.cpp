@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "axioms/axiom_set.hpp"
+#include "cli/map_text.hpp"
 #include "cli/options.hpp"
 #include "core/error.hpp"
 #include "io/maps_file.hpp"
@@ -16,14 +17,14 @@ namespace {
 std::string validated(const std::string& file) {
   if (file.ends_with("maps.json")) {
     const MapReport report = read_maps_file(file);
-    return fmt::format("maps of {}: {} listed", report.trace, report.maps.size());
+    return fmt::format("maps of {}: {} listed", printable(report.trace), report.maps.size());
   }
   if (std::filesystem::is_directory(file)) {
     const AxiomSet axioms = AxiomSet::read(file);
     return fmt::format("a folder of {} axioms", axioms.axioms().size());
   }
   const Trace trace = read_trace_file(file);
-  return fmt::format("trace {}: {} visits", trace.name, trace.visits.size());
+  return fmt::format("trace {}: {} visits", printable(trace.name), trace.visits.size());
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ struct MapReport {
   std::optional<std::vector<std::uint64_t>> per_visit;  ///< hypotheses after visit k
   bool complete = true;
   std::optional<std::string> stopped_by;  ///< which limit, where not complete
-  std::optional<Minimal> minimal;         ///< absent: nothing is consistent
+  std::optional<Minimal> minimal;         ///< absent: nothing is consistent, or not all listed
   std::vector<TopologicalMap> maps;       ///< sorted by (visits, entered)
 };
 

@@ -38,6 +38,8 @@ Arm parse_arm(std::string_view word) {
 }
 
 std::vector<std::size_t> opposites(const std::vector<Arm>& arms) {
+  if (arms.size() > Star::max_arms)
+    throw wrong(std::to_string(arms.size()) + " arms", "at most " + std::to_string(Star::max_arms));
   if (arms.empty()) throw wrong("no arms", "at least two, the directions of one local-path");
   std::map<std::pair<std::string_view, char>, std::size_t> position;
   for (std::size_t i = 0; i < arms.size(); ++i) {

@@ -26,7 +26,11 @@ struct Arm {
 /// the two has a gateway.
 class Star {
  public:
-  /// @throws std::invalid_argument "found ...; expected ..." if the invariant does not hold
+  static constexpr std::size_t max_arms = 256;
+
+  /// @throws std::invalid_argument "found ...; expected ..." if the invariant does not hold, or
+  /// there
+  ///         are more than max_arms
   explicit Star(std::vector<Arm> arms);
 
   /// Reads "a+1 b+1 a-1 b-0": label, direction, α; one space between arms.       [DESIGN §2]

@@ -8,6 +8,8 @@ namespace asterism {
 namespace {
 
 constexpr std::size_t max_arms = (1 << 21) - 1;
+/// The search goes as deep as there are visits, on a stack of 8 MiB.
+constexpr std::size_t max_visits = 20'000;
 
 }  // namespace
 
@@ -23,8 +25,10 @@ void ArmTable::append(const Visit& visit) {
       throw std::invalid_argument(where + ": found arm " + visit.star.name(*arm) +
                                   " without gateway; expected α = 1");
 
+  if (k >= max_visits)
+    throw Error("trace: found more than " + std::to_string(max_visits) + " visits; expected fewer");
   if (arms_.size() + visit.star.size() > max_arms)
-    throw Error(where + ": found more than " + std::to_string(max_arms) + " arms; expected fewer");
+    throw Error("trace: found more than " + std::to_string(max_arms) + " arms; expected fewer");
   const auto first_arm = static_cast<ArmIndex>(arms_.size());
   const auto star_size = static_cast<ArmIndex>(visit.star.size());
   for (ArmIndex i = 0; i < star_size; ++i) {
@@ -48,6 +52,16 @@ void ArmTable::append(const Visit& visit) {
       gateways_after_entered_.push_back(arm);
   trace_.visits.push_back(visit);
   set_left_steps();
+}
+
+void ArmTable::keep_first(std::size_t visits) {
+  if (visits >= this->visits()) return;
+  arms_.resize(visits_[visits].first_arm);
+  gateways_.resize(visits_[visits].first_gateway);
+  gateways_after_entered_.resize(visits_[visits].first_gateway);
+  visits_.resize(visits);
+  trace_.visits.erase(trace_.visits.begin() + static_cast<std::ptrdiff_t>(visits),
+                      trace_.visits.end());
 }
 
 void ArmTable::leave(std::size_t left_by) {

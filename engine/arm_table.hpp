@@ -19,7 +19,10 @@ using ArmIndex = std::uint32_t;
 class ArmTable {
  public:
   /// @throws std::invalid_argument if the visit lacks an arm it needs, or follows one not left
+  /// @throws Error                 if there are more visits or arms than the engine can number
   void append(const Visit& visit);
+  /// Forgets all visits but the first ones.
+  void keep_first(std::size_t visits);
   /// The robot leaves the last visit, as its own star's arm `left_by`.
   void leave(std::size_t left_by);
 

@@ -204,8 +204,7 @@ class MapTree::Growing::Pass {
 
 MapTree::Growth MapTree::Growing::extend(std::span<const Visit> visits) {
   const std::size_t levels_before = table.visits();
-  ArmTable before = table;
-  const auto undo = [&] { table = std::move(before); };
+  const auto undo = [&] { table.keep_first(levels_before); };
   try {
     for (const Visit& visit : visits) table.append(visit);
     if (visits.empty()) return Growth::complete;

@@ -43,7 +43,7 @@ class MapTree {
     bool planar = false;
     Check check = Check::native;
     AxiomSet axioms = AxiomSet::shipped();
-    /// No level may hold more.
+    /// No level of the tree may hold more; while it grows a level may, for some milliseconds.
     std::uint64_t max_hypotheses = UINT64_MAX;
     /// For each question to the solver; past it the answer is *undecided*, and the child stays.
     unsigned solver_timeout_ms = 10'000;

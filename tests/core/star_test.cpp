@@ -61,3 +61,11 @@ TEST_CASE("a broken star is refused", "[core]") {
                              "ä+1 ä-1", "a+1 b-1", "a+1\ta-1");
   CHECK_THROWS_AS(Star::parse(text), std::invalid_argument);
 }
+
+TEST_CASE("a star of more arms than any place has is refused", "[core]") {
+  std::string text = "a0+1 a0-1";
+  for (std::size_t i = 1; 2 * i < Star::max_arms; ++i)
+    text += " a" + std::to_string(i) + "+1 a" + std::to_string(i) + "-1";
+  CHECK(Star::parse(text).size() == Star::max_arms);
+  CHECK_THROWS_AS(Star::parse(text + " b+1 b-1"), std::invalid_argument);
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "cli/options.hpp"
+#include "core/trace.hpp"
+#include "engine/map_tree.hpp"
+
+namespace asterism {
+
+// What `asterism map` is made of.
+
+MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms);
+
+/// @throws Error if it cannot be made
+void make_folder(const std::filesystem::path& folder);
+
+/// Writes the grounded problem of a hypothesis, as SMT-LIB 2.
+void write_problem(const std::filesystem::path& folder, const std::string& name, const Trace& trace,
+                   std::span<const Arrival> hypothesis, const AxiomSet& axioms);
+
+/// Tells, for every arm by which the last visit could have come in, why it could not.
+/// @return exit code
+int why_not(const MapCommand& command, const AxiomSet& axioms, const Trace& trace);
+
+}  // namespace asterism
