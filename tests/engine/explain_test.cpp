@@ -107,6 +107,24 @@ TEST_CASE("every child dropped has a reason, and its axioms suffice",
   CHECK(children > 100);
 }
 
+TEST_CASE("planarity is the reason where the axioms accept the child",
+          "[engine][explain][planarity][property]") {
+  std::size_t found = 0;
+  for (unsigned seed = 0; seed < 40 && found < 10; ++seed) {
+    const Trace trace = seeded_walk(seed, 8).trace;
+    INFO(to_keep(seed, trace));
+    const auto planar = maps_of(tree_of(trace, true));
+    for (const Association& map : maps_of(tree_of(trace, false))) {
+      const Association parent(map.begin(), map.end() - 1);
+      if (std::ranges::binary_search(planar, map)) continue;
+      if (!is_consistent(trace, parent, {.planar = true})) continue;
+      ++found;
+      check_reason(trace, map);
+    }
+  }
+  CHECK(found >= 10);
+}
+
 TEST_CASE("an optional axiom is named where it alone refutes", "[engine][explain][axioms]") {
   for (const char* const name : {"one_segment", "one_crossing"}) {
     std::size_t found = 0;
