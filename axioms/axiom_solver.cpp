@@ -8,16 +8,6 @@
 namespace asterism {
 namespace {
 
-/// Every use of Z3 goes through here, so that its exceptions end in one place.
-template <class F>
-auto guarded(F&& f) {
-  try {
-    return f();
-  } catch (const z3::exception& error) {
-    throw SolverError(std::string("z3: ") + error.msg());
-  }
-}
-
 Verdict verdict(z3::check_result result) {
   switch (result) {
     case z3::sat:
@@ -51,23 +41,23 @@ struct AxiomSolver::State {
 };
 
 AxiomSolver::AxiomSolver(const AxiomSet& axioms, unsigned timeout_ms)
-    : state_(guarded([&] { return std::make_unique<State>(axioms, timeout_ms); })) {}
+    : state_(guarded_z3([&] { return std::make_unique<State>(axioms, timeout_ms); })) {}
 AxiomSolver::~AxiomSolver() = default;
 AxiomSolver::AxiomSolver(AxiomSolver&&) noexcept = default;
 AxiomSolver& AxiomSolver::operator=(AxiomSolver&&) noexcept = default;
 
 void AxiomSolver::push() {
-  guarded([&] { state_->solver.push(); });
+  guarded_z3([&] { state_->solver.push(); });
   state_->grounder.push();
 }
 
 void AxiomSolver::pop() {
   state_->grounder.pop();
-  guarded([&] { state_->solver.pop(); });
+  guarded_z3([&] { state_->solver.pop(); });
 }
 
 void AxiomSolver::add(std::span<const Fact> facts) {
-  guarded([&] {
+  guarded_z3([&] {
     for (const Fact& fact : facts) {
       state_->solver.add(state_->vocabulary.atom(state_->grounder.atom(fact)));
       state_->grounder.add(fact, [&](const Grounder::Instance& instance) {
@@ -78,7 +68,7 @@ void AxiomSolver::add(std::span<const Fact> facts) {
 }
 
 Verdict AxiomSolver::check() {
-  return guarded([&] { return verdict(state_->solver.check()); });
+  return guarded_z3([&] { return verdict(state_->solver.check()); });
 }
 
 namespace {
@@ -185,7 +175,7 @@ std::string text(Grounder& grounder, const Grounder::Instance& instance) {
 
 std::optional<Clash> find_clash(const AxiomSet& axioms, std::span<const Fact> facts,
                                 std::size_t background, unsigned timeout_ms) {
-  return guarded([&]() -> std::optional<Clash> {
+  return guarded_z3([&]() -> std::optional<Clash> {
     GuardedProblem problem(axioms, facts);
     std::vector<std::size_t> members(problem.size());
     for (std::size_t i = 0; i < members.size(); ++i) members[i] = i;

@@ -8,8 +8,20 @@
 #include <vector>
 
 #include "axioms/grounder.hpp"
+#include "core/error.hpp"
 
 namespace asterism {
+
+/// Calls f. Every use of Z3 goes through here, so that its exceptions end in one place.
+/// @throws SolverError if Z3 fails
+template <class F>
+auto guarded_z3(F&& f) {
+  try {
+    return f();
+  } catch (const z3::exception& error) {
+    throw SolverError(std::string("z3: ") + error.msg());
+  }
+}
 
 /// Ground atoms and instances as Z3 expressions.
 class Z3Vocabulary {

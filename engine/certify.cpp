@@ -283,17 +283,15 @@ Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
     }
   }
   if (!best) throw std::invalid_argument("no models to certify");
-  try {
-    switch (PreferredMap(table, axioms, planar, *best, deadline).exists()) {
-      case Verdict::inconsistent:
-        return Certificate::shown;
-      case Verdict::consistent:
-        return Certificate::refuted;
-      case Verdict::undecided:
-        break;
-    }
-  } catch (const z3::exception& error) {
-    throw SolverError(std::string("z3: ") + error.msg());
+  const Verdict preferred =
+      guarded_z3([&] { return PreferredMap(table, axioms, planar, *best, deadline).exists(); });
+  switch (preferred) {
+    case Verdict::inconsistent:
+      return Certificate::shown;
+    case Verdict::consistent:
+      return Certificate::refuted;
+    case Verdict::undecided:
+      break;
   }
   return Certificate::not_shown;
 }

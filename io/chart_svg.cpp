@@ -133,14 +133,7 @@ std::string hypotheses_chart_svg(const std::string& title,
     label_above = y;
   }
   const double height = top + plot_height + bottom;
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0:.0f}\" "
-      "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n<title>{2}</title>\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
-      "<g font-family=\"Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222222\">\n"
-      "{3}</g>\n</svg>\n",
-      axes.width(), height, xml_text(title), body);
+  return svg_document(axes.width(), height, title, body);
 }
 
 }  // namespace asterism

@@ -97,14 +97,7 @@ class Picture {
     draw_map();
     const double legend_end = draw_legend();
     const double height = std::max(top_ + map_height, legend_end) + margin;
-    return fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0:.0f}\" "
-        "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n<title>{2}</title>\n"
-        "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
-        "<g font-family=\"Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222222\">\n"
-        "{3}</g>\n</svg>\n",
-        width, height, xml_text(title), body_);
+    return svg_document(width, height, title, body_);
   }
 
  private:

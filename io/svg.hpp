@@ -13,4 +13,8 @@ std::string xml_text(std::string_view text);
 /// Breaks text at spaces into lines of at most `width` characters where it can.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
+/// A standalone SVG 1.1 on white paper, in the font and ink that all pictures share.
+std::string svg_document(double width, double height, std::string_view title,
+                         const std::string& body);
+
 }  // namespace asterism
