@@ -44,6 +44,7 @@ void ArmTable::append(const Visit& visit) {
   visits_.push_back({.first_arm = first_arm,
                      .star_size = star_size,
                      .entered = entered,
+                     .seen = view(entered),
                      .left_steps = 0,
                      .first_gateway = first_gateway,
                      .gateways = static_cast<ArmIndex>(gateways_.size()) - first_gateway});

@@ -45,7 +45,7 @@ class ArmTable {
     return std::span(gateways_after_entered_).subspan(facts.first_gateway, facts.gateways - 1);
   }
   /// What was seen on arrival, read from the arm entered by: views are equal iff their numbers are.
-  ArmIndex seen(std::size_t visit) const { return arms_[visits_[visit].entered].view; }
+  ArmIndex seen(std::size_t visit) const { return visits_[visit].seen; }
   /// Number of different views so far.
   std::size_t views() const { return view_numbers_.size(); }
 
@@ -83,6 +83,7 @@ class ArmTable {
     ArmIndex first_arm;
     ArmIndex star_size;
     ArmIndex entered;
+    ArmIndex seen;        ///< view of `entered`, at hand
     ArmIndex left_steps;  ///< from the arm entered by, clockwise
     ArmIndex first_gateway;
     ArmIndex gateways;

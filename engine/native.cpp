@@ -22,6 +22,18 @@ void NativeEngine::reset() {
   alike_.assign(open_.size() * table_.views(), 0);
   for (ArmIndex arm = 0; arm < arms; ++arm)
     alike_[table_.view(arm) * open_.size() + arm / 64] |= std::uint64_t{1} << (arm % 64);
+  parts_.clear();
+  first_part_.clear();
+  for (std::size_t k = 0; k < table_.visits(); ++k) {
+    first_part_.push_back(parts_.size());
+    for (const ArmIndex gateway : table_.gateways(k)) {
+      const std::size_t word = gateway / 64;
+      if (parts_.size() == first_part_.back() || parts_.back().word != word)
+        parts_.push_back({word, 0});
+      parts_.back().gateways |= std::uint64_t{1} << (gateway % 64);
+    }
+  }
+  first_part_.push_back(parts_.size());
   if (options_.planar) faces_.reset(arms);
 }
 

@@ -89,7 +89,7 @@ class NativeEngine {
     std::size_t end;
     bool lives;
   };
-  Run follow(std::size_t k, ArmIndex arm, Step step) {
+  [[gnu::always_inline]] Run follow(std::size_t k, ArmIndex arm, Step step) {
     // The segment between x and y is one that enter() will make.
     const ArmIndex x = step == Step::known || k == 0 ? none : left_[k - 1];
     const ArmIndex y = x == none ? none : arm;
@@ -166,7 +166,8 @@ class NativeEngine {
   // A new place: every local-path is a path of its own, as reset() left it, every gateway open.
   void open_place(std::size_t k) {
     if (!options_.planar)
-      for (const ArmIndex gateway : table_.gateways(k)) mark_open(gateway);
+      for (std::size_t i = first_part_[k]; i < first_part_[k + 1]; ++i)
+        open_[parts_[i].word] |= parts_[i].gateways;
     else if (k == 0)
       faces_.open(table_.gateways(0));
     ++extents_.places;
@@ -174,7 +175,8 @@ class NativeEngine {
   }
   void close_place(std::size_t k) {
     if (!options_.planar)
-      for (const ArmIndex gateway : table_.gateways(k)) mark_closed(gateway);
+      for (std::size_t i = first_part_[k]; i < first_part_[k + 1]; ++i)
+        open_[parts_[i].word] &= ~parts_[i].gateways;
     --extents_.places;
     extents_.paths -= table_.star_size(k) / 2;
   }
@@ -229,6 +231,12 @@ class NativeEngine {
     --extents_.segments;
   }
 
+  /// The gateways of one place that share a word of `open_`.
+  struct Part {
+    std::size_t word;
+    std::uint64_t gateways;
+  };
+
   const ArmTable& table_;
   Options options_;
   Extents extents_;
@@ -239,7 +247,9 @@ class NativeEngine {
   std::vector<ArmIndex> far_end_;  ///< of an end of a path: its other end
   std::vector<std::uint64_t> places_;  ///< of an end of a path: the places of the path
   std::vector<std::uint64_t> open_;    ///< gateways without a segment, a bit an arm; not if planar
-  std::vector<std::uint64_t> alike_;   ///< for each view, the arms that show it
+  std::vector<Part> parts_;            ///< of the places of all visits
+  std::vector<std::size_t> first_part_;  ///< of visit k; one more at the end
+  std::vector<std::uint64_t> alike_;     ///< for each view, the arms that show it
   FaceLists faces_;
 };
 

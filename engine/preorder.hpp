@@ -62,7 +62,7 @@ class Preorder {
     /// @param levels  below which no descendant will be
     Siblings(Preorder& tree, std::size_t levels) : tree_(tree), levels_(levels) {}
 
-    void begin(ArmIndex arm) {
+    [[gnu::always_inline]] void begin(ArmIndex arm) {
       begun_ = tree_.size_;
       if (tree_.room_ < begun_ + levels_) tree_.make_room(levels_);
       tree_.push(arm);
