@@ -25,14 +25,19 @@ const CLI::Validator whole_number(
     },
     "");
 
-/// CLI::Range takes NaN for one of its numbers.
-const CLI::Validator finite_number(
-    [](const std::string& text) {
-      double value = 0;
-      const bool is_finite = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-      return is_finite ? "" : "found " + text + "; expected a number";
-    },
-    "");
+/// CLI::Range takes NaN for one of its numbers, and spells out its bounds.
+CLI::Validator number_between(double low, double high, const std::string& expected) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0;
+        const bool is_fit = CLI::detail::lexical_cast(text, value) && std::isfinite(value) &&
+                            value >= low && value <= high;
+        return is_fit ? "" : "found " + text + "; expected " + expected;
+      },
+      "");
+}
+const CLI::Validator seconds = number_between(0, 1e9, "seconds, at least 0");
+const CLI::Validator share = number_between(0, 1, "a number from 0 to 1");
 
 void add_axiom_options(CLI::App& app, AxiomOptions& options) {
   app.add_option("--axioms", options.folder,
@@ -51,9 +56,10 @@ void add_map(CLI::App& app, MapCommand& command, std::function<int()>& chosen) {
   asterism map drive.trace.json --svg drawings --json drive.maps.json
   asterism map drive.trace.json --all --json - | jq .consistent
   asterism map drive.trace.json --why-not 0,1,2,0
-Exit code: 0 a map exists, 1 none does, 2 stopped by a limit, 65 bad input, 70 internal fault.)");
+Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a limit or Ctrl-C,
+64 usage, 65 bad input, 70 internal fault or a result that cannot be written.)");
   MapOptions& options = command.options;
-  map.add_option("trace", command.trace, "Trace file (*.trace.json)")->required();
+  map.add_option("trace", command.trace, "Trace file (*.trace.json); -: stdin")->required();
   map.add_flag("--planar", options.planar, "Keep only maps that can be drawn in the plane");
   map.add_option("--check", options.check,
                  "Who decides: native, the solver alone, or both compared at every candidate")
@@ -63,8 +69,7 @@ Exit code: 0 a map exists, 1 none does, 2 stopped by a limit, 65 bad input, 70 i
   map.add_option("--certify", options.certify_s,
                  "Seconds the solver may take to certify the minimal models; 0: do not")
       ->type_name("S")
-      ->check(finite_number)
-      ->check(CLI::NonNegativeNumber)
+      ->check(seconds)
       ->capture_default_str();
   map.add_option("--json", command.json, "Write a maps file; -: alone on stdout")
       ->type_name("FILE");
@@ -89,8 +94,7 @@ Exit code: 0 a map exists, 1 none does, 2 stopped by a limit, 65 bad input, 70 i
       ->check(whole_number);
   map.add_option("--time-limit", options.time_limit_s, "Stop growing after this many seconds")
       ->type_name("S")
-      ->check(finite_number)
-      ->check(CLI::NonNegativeNumber);
+      ->check(seconds);
   for (const char* option : {"--json", "--all", "--svg", "--max-hypotheses", "--time-limit"})
     why_not.excludes(map.get_option(option));
   map.callback([&] { chosen = [&] { return map_command(command); }; });
@@ -120,12 +124,10 @@ Same options, same bytes.)");
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   simulate.add_option("--missing", command.missing, "Share of a grid's corridors that are missing")
-      ->check(finite_number)
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(share)
       ->capture_default_str();
   simulate.add_option("--stubs", command.stubs, "Share of those that are blind stubs")
-      ->check(finite_number)
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(share)
       ->capture_default_str();
   simulate.add_option("--corridors", command.corridors, "Corridors of a corridor world")
       ->check(CLI::Range(2, 1000))

@@ -169,6 +169,7 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
         map_svg(models[i], draw(models[i]),
                 fmt::format("{}, {}minimal model {} (of {})", trace.name,
                             report.options.planar ? "planar " : "", i, models.size())));
+  remove_from(folder, "model-{}.svg", drawings);
   const auto own = report.per_visit.value_or(std::vector<std::uint64_t>{});
   const auto other = other_counts(command, axioms, trace);
   write_atomically((folder / "hypotheses.svg").string(),
@@ -182,15 +183,15 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
 
 int map_command(const MapCommand& given) {
   MapCommand command = given;
-  const Trace trace = read_trace_file(command.trace);
+  const Trace trace = read_trace_file(command.trace == "-" ? "/dev/stdin" : command.trace);
   const AxiomSet axioms = command.axioms.read();
   command.visits = trace.visits.size();
   command.options.axioms = command.axioms.folder.value_or("shipped");
   command.options.optional_axioms = command.axioms.optional;
   std::ranges::sort(command.options.optional_axioms);
   if (command.options.check != "solver" && !axioms.is_shipped())
-    throw InputError("--check", command.options.check,
-                     "solver: the native engine knows only the shipped axioms");
+    throw InputError("--axioms", "other axioms than the shipped ones",
+                     "--check solver with them, since the native engine knows no others");
   if (!command.why_not.empty()) return why_not(command, axioms, trace);
 
   Progress progress(trace.visits.size(), command.options.time_limit_s);
@@ -226,6 +227,7 @@ int map_command(const MapCommand& given) {
       write_problem(*command.smt2_folder, fmt::format("map-{}.smt2", i++), trace, arrivals(map),
                     axioms);
     });
+    remove_from(*command.smt2_folder, "map-{}.smt2", i);
   }
   if (!report.complete) return exit_undecided;
   return report.consistent.value_or(0) > 0 ? exit_consistent : exit_inconsistent;

@@ -51,6 +51,13 @@ void make_folder(const std::filesystem::path& folder) {
                 "; expected a folder to write to");
 }
 
+void remove_from(const std::filesystem::path& folder, const std::string& pattern,
+                 std::size_t number) {
+  std::error_code error;
+  while (std::filesystem::remove(folder / fmt::format(fmt::runtime(pattern), number), error))
+    ++number;
+}
+
 void write_problem(const std::filesystem::path& folder, const std::string& name, const Trace& trace,
                    std::span<const Arrival> hypothesis, const AxiomSet& axioms) {
   make_folder(folder);
@@ -92,6 +99,7 @@ int why_not(const MapCommand& command, const AxiomSet& axioms, const Trace& trac
         fmt::print("not refuted\n");
     }
   }
+  if (command.smt2_folder) remove_from(*command.smt2_folder, "why-not-{}.smt2", problems);
   return possible ? exit_consistent : exit_inconsistent;
 }
 

@@ -17,6 +17,11 @@ MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms)
 /// @throws Error if it cannot be made
 void make_folder(const std::filesystem::path& folder);
 
+/// Removes what an earlier run left of a numbered row of files, from this number up.
+/// @param pattern  the files' name, {} for the number
+void remove_from(const std::filesystem::path& folder, const std::string& pattern,
+                 std::size_t number);
+
 /// Writes the grounded problem of a hypothesis, as SMT-LIB 2.
 void write_problem(const std::filesystem::path& folder, const std::string& name, const Trace& trace,
                    std::span<const Arrival> hypothesis, const AxiomSet& axioms);

@@ -37,6 +37,8 @@ MapReport report_of(const Walk& walk) {
 }  // namespace
 
 int simulate_command(const SimulateCommand& command) {
+  if (command.true_map == "-")
+    throw InputError("--true-map", "-", "a file, since stdout is the trace's");
   RandomEngine engine(command.seed);
   Walk walked = [&] {
     try {

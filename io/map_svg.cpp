@@ -236,7 +236,8 @@ class Picture {
       std::string visits;
       for (std::size_t k = 0; k < map_.visits.size(); ++k)
         if (map_.visits[k].index() == p) visits += (visits.empty() ? "" : ", ") + std::to_string(k);
-      add_legend_text(0, fmt::format("place {}: visits {}", p, visits));
+      const bool one = visits.find(',') == std::string::npos;
+      add_legend_text(0, fmt::format("place {}: visit{} {}", p, one ? "" : "s", visits));
     }
     legend_y_ += line_height / 2;
     add_signs();

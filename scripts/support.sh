@@ -19,8 +19,17 @@ build() {
   local log=$1
   shift
   mkdir -p "$(dirname "$log")"
-  if ! cmake --build "$@" </dev/null 2>&1 | tee "$log" |
-    awk -F'[][]' '/^\[/ { printf "\r  %s", $2; fflush(); n++ } END { if (n) print "" }'; then
+  # Not awk: Debian's holds back what it reads from a pipe.
+  if ! cmake --build "$@" </dev/null 2>&1 | tee "$log" | {
+    steps=0
+    while IFS= read -r line; do
+      [[ $line == '['*']'* ]] || continue
+      line=${line#[}
+      printf '\r  %s' "${line%%]*}"
+      steps=1
+    done
+    ((steps == 0)) || echo
+  }; then
     tail -n 60 "$log" >&2
     fail "$log: found a failure of cmake --build; expected success"
   fi

@@ -111,6 +111,10 @@ class Maps(Folder):
         self.assertEqual((maps["consistent"], maps["minimal"], maps["maps"]), (0, None, []))
         self.assertEqual(maps["per_visit"], [1, 1, 0])
 
+    def test_a_trace_from_stdin(self):
+        done = run("map", "-", stdin=pathlib.Path(ACES).read_text())
+        self.assertIn("107 maps explain the trace", done.stdout)
+
     def test_one_visit(self):
         file = self.file("one.trace.json", trace({"star": "a+1 a-0"}))
         self.assertIn("1 map explains the trace", run("map", file).stdout)
@@ -186,7 +190,7 @@ class Axioms(Folder):
         self.assertEqual(self.count("--axioms", folder, "--check", "solver"), 92)
         refused = run("map", ACES, "--axioms", folder)
         self.assertEqual(refused.returncode, 65)
-        self.assertIn("expected solver", refused.stderr)
+        self.assertIn("expected --check solver", refused.stderr)
 
     def test_terms_without_end_are_refused(self):
         folder = self.folder / "axioms"
@@ -260,6 +264,13 @@ class Drawings(Folder):
         chart = (self.folder / "svg/hypotheses.svg").read_text()
         self.assertIn("all: 107", chart)
         self.assertIn("planar: 55", chart)
+
+
+    def test_nothing_stale_is_left(self):
+        for options in ([], ["--planar"]):
+            run("map", ACES, "--svg", self.folder, "--export-smt2", self.folder, *options)
+        self.assertEqual(sorted(f.name for f in self.folder.iterdir()),
+                         ["hypotheses.svg", "map-0.smt2", "model-0.svg"])
 
 
 class Simulations(Folder):

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 class Folder {
  public:
   Folder() {
-    std::string name = (fs::temp_directory_path() / "asterism-XXXXXX").string();
+    std::string name = (fs::temp_directory_path() / "asterism-").string() + std::string(6, 'X');
     path_ = ::mkdtemp(name.data());
   }
   Folder(const Folder&) = delete;
