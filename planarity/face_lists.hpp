@@ -19,7 +19,8 @@ class FaceLists {
     previous_.assign(gateways, 0);
   }
 
-  /// The open gateway after `gateway` on the boundary of its face.
+  /// The open gateway after `gateway` on the boundary of its face. Closing x with y is planar iff
+  /// both stand in one list.
   Gateway next(Gateway gateway) const { return next_[gateway]; }
 
   /// The first star gives one list.
@@ -46,15 +47,8 @@ class FaceLists {
     previous_[next_[x]] = x;
   }
 
-  /// Closing x with y is planar iff both stand in one list.
-  bool share_face(Gateway x, Gateway y) const {
-    for (Gateway at = next_[x]; at != x; at = next_[at])
-      if (at == y) return true;
-    return false;
-  }
-
   /// Closing x with y splits their list (x A y B) into (A) and (B).
-  /// @pre share_face(x, y)
+  /// @pre both stand in one list
   void close(Gateway x, Gateway y) {
     const Gateway a_first = next_[x];
     const Gateway a_last = previous_[y];
