@@ -15,7 +15,7 @@ install(EXPORT asterism NAMESPACE asterism:: FILE asterismTargets.cmake DESTINAT
 # A user's linker needs what our static libraries were made with; headers of ours that are not
 # installed and libraries kept in $<BUILD_INTERFACE:...> are no concern of theirs.
 set(links "")
-foreach(library core axioms planarity engine simulation io)
+foreach(library core axioms planarity engine perception simulation io)
   if(TARGET asterism_${library})
     get_target_property(own asterism_${library} INTERFACE_LINK_LIBRARIES)
     list(APPEND links ${own})

@@ -25,4 +25,10 @@ class SolverError : public Error {
   using Error::Error;
 };
 
+/// A plug-in cannot go on: which one, at what stamp or scan, and why.
+class PluginError : public Error {
+ public:
+  using Error::Error;
+};
+
 }  // namespace asterism

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "simulation/random.hpp"
+#include "core/random.hpp"
 #include "simulation/world.hpp"
 
 namespace asterism {

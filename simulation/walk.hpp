@@ -6,7 +6,7 @@
 
 #include "core/topological_map.hpp"
 #include "core/trace.hpp"
-#include "simulation/random.hpp"
+#include "core/random.hpp"
 #include "simulation/world.hpp"
 
 namespace asterism {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/pose2.hpp"
+
+namespace asterism {
+
+/// A cell of a grid: column to the right (+x), row upwards (+y).
+struct Cell {
+  int column = 0;
+  int row = 0;
+  friend bool operator==(Cell, Cell) = default;
+};
+
+/// An occupancy grid: the logarithm of the odds that a cell holds an obstacle; 0 is unknown.
+/// Row by row from the bottom, each from the left: log_odds[row · width + column].
+struct Grid {
+  int width = 0;   ///< columns
+  int height = 0;  ///< rows
+  double resolution_m = 0.1;
+  Point2 origin = {};  ///< the grid's lower left corner in the frame it is drawn in
+  std::vector<float> log_odds = {};
+
+  bool contains(Cell cell) const {
+    return cell.column >= 0 && cell.row >= 0 && cell.column < width && cell.row < height;
+  }
+  std::size_t index(Cell cell) const {
+    return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(cell.column);
+  }
+  Cell cell_at(Point2 point) const {
+    return {static_cast<int>(std::floor((point.x_m - origin.x_m) / resolution_m)),
+            static_cast<int>(std::floor((point.y_m - origin.y_m) / resolution_m))};
+  }
+  /// The middle of a cell.
+  Point2 centre(Cell cell) const {
+    return {origin.x_m + (cell.column + 0.5) * resolution_m,
+            origin.y_m + (cell.row + 0.5) * resolution_m};
+  }
+};
+
+}  // namespace asterism

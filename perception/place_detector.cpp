@@ -1,0 +1,1 @@
+#include "perception/place_detector.hpp"

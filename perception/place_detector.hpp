@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/grid.hpp"
+#include "core/scan.hpp"
+#include "core/trace.hpp"
+
+namespace asterism {
+
+/// A visit that has ended, as perception tells it.
+struct DetectedVisit {
+  Visit visit;                         ///< all but `lpm`, which names a file
+  std::optional<Grid> place_map = {};  ///< m_p in the visit's frame, if there is one
+};
+
+/// Turns scans into stars: the whole seam between sensing and logic.   [DESIGN §11] [BMK10, §5]
+///
+/// The visits handed over, in order, make a valid trace: each but the first was entered by an arm,
+/// each but the last left by one, and their `scans` do not overlap and do not decrease.
+class PlaceDetector {
+ public:
+  PlaceDetector() = default;
+  PlaceDetector(const PlaceDetector&) = delete;
+  PlaceDetector& operator=(const PlaceDetector&) = delete;
+  virtual ~PlaceDetector() = default;
+
+  virtual std::string_view name() const noexcept = 0;
+
+  /// The visit just ended, or nothing while travelling or still at a place. Called in the order of
+  /// the log.  @throws PluginError if it cannot go on
+  virtual std::optional<DetectedVisit> observe(const Scan& scan) = 0;
+
+  /// The log has ended: the visit it ended in, if it did.  @throws PluginError
+  virtual std::optional<DetectedVisit> finish() = 0;
+};
+
+}  // namespace asterism
