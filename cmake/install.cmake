@@ -31,7 +31,7 @@ if(links MATCHES "PkgConfig::Z3")
     "find_dependency(PkgConfig)\n"
     "pkg_check_modules(Z3 REQUIRED IMPORTED_TARGET z3)\n")
 endif()
-foreach(package fmt nlohmann_json Boost)
+foreach(package fmt nlohmann_json Boost ZLIB LibLZMA PNG)
   if(links MATCHES "${package}::")
     string(APPEND ASTERISM_DEPENDENCIES "find_dependency(${package})\n")
   endif()

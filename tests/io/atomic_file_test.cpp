@@ -2,40 +2,17 @@
 
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <ostream>
 
 #include "core/error.hpp"
 #include "tests/io/corpus.hpp"
+#include "tests/io/folder.hpp"
 #include "tests/support/catch.hpp"
 
 namespace asterism {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// An empty folder of its own, removed with all it holds.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "asterism-").string() + std::string(6, 'X');
-    path_ = ::mkdtemp(name.data());
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  std::ptrdiff_t entries() const {
-    return std::distance(fs::directory_iterator(path_), fs::directory_iterator());
-  }
-
- private:
-  fs::path path_;
-};
-
-}  // namespace
 
 TEST_CASE("a file is written whole, over what was there", "[io]") {
   const Folder folder;

@@ -12,7 +12,8 @@ struct BadFile {
   std::string message;
 };
 
-/// The bad files of one kind, "trace" or "maps", as listed in bad.tsv; which must list them all.
+/// The bad files of one kind, "trace", "maps" or "carmen", as listed in bad.tsv (the file first,
+/// the message last); which must list them all.
 std::vector<BadFile> bad_files(const std::string& kind);
 
 /// The good files of one kind. To traces belong those of tests/traces.
