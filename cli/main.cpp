@@ -154,9 +154,11 @@ void add_validate(CLI::App& app, std::vector<std::string>& files, std::function<
   CLI::App& validate = *app.add_subcommand("validate", "Check files and say what is wrong");
   validate.footer(R"(Examples:
   asterism validate drive.trace.json drive.maps.json
+  asterism validate drive.log.xz
   asterism validate my-axioms
-A *maps.json is a maps file, a folder holds axioms, anything else is a trace.)");
-  validate.add_option("files", files, "Traces, maps files, folders of axioms")->required();
+A *maps.json is a maps file, a *.log or *.clf, maybe with .gz or .xz, a CARMEN log of laser scans; a
+folder holds axioms, anything else is a trace.)");
+  validate.add_option("files", files, "Traces, maps files, logs, folders of axioms")->required();
   validate.callback([&] { chosen = [&] { return validate_command(files); }; });
 }
 

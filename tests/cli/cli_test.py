@@ -354,6 +354,16 @@ class BadInput(Folder):
         self.assertIn("bad.trace.json:", done.stderr)
         self.assertIn("valid, trace aces-stubs: 15 visits", done.stdout)
 
+    def test_validate_reads_logs(self):
+        corpus = SOURCE / "tests/corpus/carmen"
+        for name in ("flaser.log", "flaser.log.gz", "flaser.log.xz"):
+            done = run("validate", corpus / "good" / name)
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("valid, log: 40 scans of 3 beams, 7.8 s, 3.9 m", done.stdout)
+        done = run("validate", corpus / "bad/range_nan.log")
+        self.assertEqual(done.returncode, 65)
+        self.assertIn('range_nan.log:2: found "nan"; expected range 2 of 3', done.stderr)
+
 
 class Readme(Folder):
     def test_what_it_shows_is_what_comes_out(self):
@@ -384,7 +394,7 @@ class Help(unittest.TestCase):
     def test_version_names_the_libraries(self):
         done = run("--version")
         self.assertRegex(done.stdout, r"(?m)^asterism \d+\.\d+\.\d+$")
-        for library in ("z3", "boost", "nlohmann-json", "fmt", "cli11"):
+        for library in ("z3", "boost", "nlohmann-json", "fmt", "cli11", "zlib", "liblzma", "libpng"):
             self.assertRegex(done.stdout, rf"(?m)^{re.escape(library)} \d")
 
 
