@@ -18,11 +18,16 @@ std::size_t peak_bytes = 0;
 
 // Counts what this program allocates; so it has but one test. Not inlined, where g++ sees malloc()
 // meet delete.
-[[gnu::noinline]] void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   void* const memory = std::malloc(size);
-  if (!memory) throw std::bad_alloc();
+  if (!memory) return nullptr;
   now_bytes += malloc_usable_size(memory);
   peak_bytes = std::max(peak_bytes, now_bytes);
+  return memory;
+}
+void* operator new(std::size_t size) {
+  void* const memory = operator new(size, std::nothrow);
+  if (!memory) throw std::bad_alloc();
   return memory;
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
