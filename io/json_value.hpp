@@ -40,6 +40,9 @@ inline constexpr std::size_t max_json_depth = 64;
 ///         found twice
 JsonValue parse_json(std::string_view text, const std::string& file_name);
 
+/// The same for one line of many texts: `where` names file and line, and only the column follows.
+JsonValue parse_json_line(std::string_view line, const std::string& where);
+
 /// On one line, ", " and ": " between the parts.
 std::string json_text(const JsonValue& value);
 
