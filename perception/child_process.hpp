@@ -1,7 +1,5 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -60,7 +58,7 @@ class ChildProcess {
  private:
   Descriptor input_;   // we write to it
   Descriptor output_;  // we read from it
-  ::pid_t process_ = -1;
+  int process_ = -1;   // its number
 };
 
 }  // namespace asterism

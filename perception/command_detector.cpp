@@ -117,7 +117,8 @@ class CommandDetector : public PlaceDetector {
     hear_out();
     const auto ending = process_.ending(patience_);
     if (ending && ending != "exit status 0") throw plugin_error(title_, *ending, "exit status 0");
-    throw plugin_error(title_, "its end before that of the scans", "it to read them all");
+    throw plugin_error(title_, "its input or output closed before the end of the scans",
+                       "it to read them all");
   }
 
   [[noreturn]] void lose_patience() const {
