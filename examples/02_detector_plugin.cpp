@@ -70,6 +70,7 @@ class Halt {
       if (!is_open(begin) || is_open(begin - 1)) continue;
       std::size_t end = begin;
       while (is_open(end)) ++end;
+      if (end - begin < 2) continue;  // half a metre at three: too narrow for a robot
       const double width_rad = static_cast<double>(end - begin) * 2 * pi / sectors;
       const double begin_rad = static_cast<double>(begin) * 2 * pi / sectors - pi;
       result.push_back({wrapped(begin_rad + width_rad / 2), width_rad / 2});
@@ -174,7 +175,7 @@ class HaltDetector : public PlaceDetector {
     std::vector<Arm> arms;
     std::vector<bool> is_second(ways.size());
     for (const Way& way : ways) {
-      const std::string label(1, static_cast<char>('a' + way.path % 26));
+      const std::string label(1, static_cast<char>('a' + way.path));
       arms.push_back({label, is_second[way.path] ? '-' : '+', way.opening.has_value()});
       is_second[way.path] = true;
     }

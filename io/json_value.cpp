@@ -99,10 +99,11 @@ class Builder : public nlohmann::json_sax<json> {
 
   // A container stays where it is while it is open: only the innermost one grows.
   bool open(JsonValue&& value) {
-    if (open_.size() == max_json_depth)
-      throw InputError(
-          file_, "nesting of arrays and objects deeper than " + std::to_string(max_json_depth),
-          "fewer levels");
+    const std::size_t max_depth = is_line_ ? max_json_line_depth : max_json_depth;
+    if (open_.size() == max_depth)
+      throw InputError(file_,
+                       "nesting of arrays and objects deeper than " + std::to_string(max_depth),
+                       "fewer levels");
     open_.push_back({&place(std::move(value)), {}});
     return true;
   }

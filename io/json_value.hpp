@@ -33,6 +33,8 @@ struct JsonMember {
 
 /// Arrays and objects in one another, at most.
 inline constexpr std::size_t max_json_depth = 64;
+/// In a line, which can become an element of a list of a file.
+inline constexpr std::size_t max_json_line_depth = max_json_depth - 2;
 
 /// Reads one JSON text [RFC 8259], strictly: UTF-8, no byte order mark, no key twice in an object,
 /// numbers that are finite doubles, at most max_json_depth levels, nothing after the value.
