@@ -220,18 +220,19 @@ TEST_CASE("a detector whose runs differ is found out", "[perception][laws]") {
   CHECK(found == std::vector<std::string>{broken});
 }
 
-TEST_CASE("a detector that tells less of a part of the drive is found out", "[perception][laws]") {
+TEST_CASE("a detector that tells less or more of a part of the drive is found out",
+          "[perception][laws]") {
+  const auto [whole, part] = GENERATE(table<std::ptrdiff_t, std::ptrdiff_t>({{3, 1}, {1, 2}}));
   int runs = 0;
   const auto found = broken_laws(
-      [&runs] {
+      [&runs, of_whole = whole, of_part = part] {
         auto visits = lawful();
-        if (runs++ == 4) visits.pop_back(), visits.pop_back();
+        visits.erase(visits.begin() + (runs++ == 4 ? of_part : of_whole), visits.end());
         return std::make_unique<ScriptedDetector>(visits);
       },
       ten_scans());
-  CHECK(found == std::vector<std::string>{
-                     "prefix: the first 7 scans: found other visits; expected those of the whole "
-                     "drive"});
+  CHECK(found == std::vector<std::string>{"prefix: the first 7 scans: found other visits; expected "
+                                          "those of the whole drive"});
 }
 
 TEST_CASE("a plug-in error in a run is a law broken", "[perception][laws]") {
