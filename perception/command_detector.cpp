@@ -91,7 +91,7 @@ class CommandDetector : public PlaceDetector {
 
   void take_line() {
     if (visits_.size() == max_waiting)
-      throw plugin_error(where(), std::to_string(max_waiting) + " visits ahead of the scans",
+      throw plugin_error(title_, std::to_string(max_waiting) + " visits ahead of the scans",
                          "one a scan at most");
     try {
       visits_.push_back({.visit = read_visit_line_(line_, where())});

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "io/detector_lines.hpp"
+#include "perception/plugin_error.hpp"
 #include "tests/perception/corridor_drive.hpp"
 #include "tests/perception/messages.hpp"
 #include "tests/support/catch.hpp"
@@ -113,8 +114,9 @@ TEST_CASE("a line without end is refused", "[perception]") {
 
 TEST_CASE("visits without end are refused", "[perception]") {
   const std::string command = "yes '" + visit + "'";
-  CHECK(complaint(command).ends_with(
-      ":line 100001: found 100000 visits ahead of the scans; expected one a scan at most"));
+  CHECK(complaint(command) ==
+        one_line(command, 60) +
+            ": found 100000 visits ahead of the scans; expected one a scan at most");
 }
 
 TEST_CASE("a command that neither reads, writes nor ends is given up", "[perception]") {
@@ -128,7 +130,8 @@ TEST_CASE("a command that neither reads, writes nor ends is given up", "[percept
 
 TEST_CASE("a command that closes its output before its input ends is refused", "[perception]") {
   const std::string command = "exec 1>&-; cat > /dev/null; exec sleep 1000";
-  CHECK(complaint(command, 0.25) ==
+  CHECK(complaint(command, 2) ==  // time enough to close it, on a busy machine too
+
         command +
             ": found its input or output closed before the end of the scans; expected it to "
             "read them all");
