@@ -39,3 +39,10 @@ function(asterism_library name)
   target_include_directories(${target} INTERFACE
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/asterism>)
 endfunction()
+
+# asterism_for_plugins(name) lets asterism::name become part of a shared library too, as a
+# detector's plug-in needs it, and stay as fast as it was.
+function(asterism_for_plugins name)
+  set_target_properties(asterism_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(asterism_${name} PRIVATE -fno-semantic-interposition)
+endfunction()

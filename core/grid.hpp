@@ -40,6 +40,8 @@ struct Grid {
     return {origin.x_m + (cell.column + 0.5) * resolution_m,
             origin.y_m + (cell.row + 0.5) * resolution_m};
   }
+
+  friend bool operator==(const Grid&, const Grid&) = default;
 };
 
 }  // namespace asterism

@@ -16,7 +16,13 @@ struct Displacement {
   double y_m = 0;                      ///< +y left
   double heading_rad = 0;              ///< counter-clockwise
   std::array<double, 9> covariance{};  ///< row by row; m, m, rad
+
+  friend bool operator==(const Displacement&, const Displacement&) = default;
 };
+
+/// Whether nine numbers, row by row, are finite, symmetric and positive semi-definite, up to
+/// rounding (1e-9). Judged on the correlations, so that metres and radians of any size count alike.
+bool is_covariance(const std::array<double, 9>& numbers);
 
 /// A gateway as measured, in its visit's frame.
 struct MeasuredGateway {
@@ -25,6 +31,8 @@ struct MeasuredGateway {
   double y_m = 0;
   double heading_rad = 0;  ///< outward
   double width_m = 0;
+
+  friend bool operator==(const MeasuredGateway&, const MeasuredGateway&) = default;
 };
 
 /// One stay at a place: the star seen, the arm entered by, the arm left by.        [DESIGN §2]
@@ -42,6 +50,8 @@ struct Visit {
   std::optional<std::string> lpm = {};         ///< file of the place's map, relative to the trace
   std::optional<std::string> true_place = {};  ///< ground truth, for tests
   std::string extensions = "{}";               ///< the keys that start with x_, a JSON object
+
+  friend bool operator==(const Visit&, const Visit&) = default;
 };
 
 /// The sequence of visits.

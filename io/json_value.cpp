@@ -20,7 +20,8 @@ constexpr std::size_t max_shown = 40;  // bytes of one string
 /// Builds a JsonValue from the events of nlohmann's parser, which keeps to RFC 8259 and UTF-8.
 class Builder : public nlohmann::json_sax<json> {
  public:
-  Builder(std::string_view text, const std::string& file_name) : text_(text), file_(file_name) {}
+  Builder(std::string_view text, const std::string& file_name, bool is_line)
+      : text_(text), file_(file_name), is_line_(is_line) {}
 
   JsonValue take() { return std::move(root_); }
 
@@ -52,7 +53,7 @@ class Builder : public nlohmann::json_sax<json> {
 
   bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::detail::exception& error) override {
-    const std::string where = file_ + ":" + line_and_column(position);
+    const std::string where = file_ + ":" + place_in_text(position);
     if (dynamic_cast<const json::out_of_range*>(&error))
       throw InputError(where, printable(token, max_shown), "a number that a double can hold");
     // "[...] parse error at ...: syntax error while parsing value - unexpected X; expected Y" or
@@ -67,12 +68,14 @@ class Builder : public nlohmann::json_sax<json> {
     throw InputError(where, found, expected);
   }
 
-  /// Of the byte read last, `position` bytes into the text; both from 1.
-  std::string line_and_column(std::size_t position) const {
+  /// Line, unless the text is one, and column of the byte read last, `position` bytes into the
+  /// text; all from 1.
+  std::string place_in_text(std::size_t position) const {
     const std::string_view before = text_.substr(0, position > 0 ? position - 1 : 0);
     const auto lines = std::count(before.begin(), before.end(), '\n');
     const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
-    return std::to_string(lines + 1) + ':' + std::to_string(before.size() - line_begin + 1);
+    return (is_line_ ? "" : std::to_string(lines + 1) + ':') +
+           std::to_string(before.size() - line_begin + 1);
   }
 
  private:
@@ -96,10 +99,11 @@ class Builder : public nlohmann::json_sax<json> {
 
   // A container stays where it is while it is open: only the innermost one grows.
   bool open(JsonValue&& value) {
-    if (open_.size() == max_json_depth)
-      throw InputError(
-          file_, "nesting of arrays and objects deeper than " + std::to_string(max_json_depth),
-          "fewer levels");
+    const std::size_t max_depth = is_line_ ? max_json_line_depth : max_json_depth;
+    if (open_.size() == max_depth)
+      throw InputError(file_,
+                       "nesting of arrays and objects deeper than " + std::to_string(max_depth),
+                       "fewer levels");
     open_.push_back({&place(std::move(value)), {}});
     return true;
   }
@@ -123,6 +127,7 @@ class Builder : public nlohmann::json_sax<json> {
 
   std::string_view text_;
   std::string file_;
+  bool is_line_;
   JsonValue root_;
   std::vector<Open> open_;
 };
@@ -157,18 +162,27 @@ struct Writer {
   }
 };
 
-}  // namespace
-
-JsonValue parse_json(std::string_view text, const std::string& file_name) {
+JsonValue parse(std::string_view text, const std::string& file_name, bool is_line) {
+  Builder builder(text, file_name, is_line);
   if (text.starts_with("\xEF\xBB\xBF"))
-    throw InputError(file_name + ":1:1", "a byte order mark", "JSON in UTF-8 without one");
-  Builder builder(text, file_name);
+    throw InputError(file_name + ':' + builder.place_in_text(1), "a byte order mark",
+                     "JSON in UTF-8 without one");
   // The parser would take it for the end of the text.
   if (const auto nul = text.find('\0'); nul != std::string_view::npos)
-    throw InputError(file_name + ':' + builder.line_and_column(nul + 1), "a NUL byte",
+    throw InputError(file_name + ':' + builder.place_in_text(nul + 1), "a NUL byte",
                      "JSON in UTF-8");
   json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
+}
+
+}  // namespace
+
+JsonValue parse_json(std::string_view text, const std::string& file_name) {
+  return parse(text, file_name, false);
+}
+
+JsonValue parse_json_line(std::string_view line, const std::string& where) {
+  return parse(line, where, true);
 }
 
 std::string json_text(const JsonValue& value) {

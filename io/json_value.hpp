@@ -33,12 +33,17 @@ struct JsonMember {
 
 /// Arrays and objects in one another, at most.
 inline constexpr std::size_t max_json_depth = 64;
+/// In a line, which can become an element of a list of a file.
+inline constexpr std::size_t max_json_line_depth = max_json_depth - 2;
 
 /// Reads one JSON text [RFC 8259], strictly: UTF-8, no byte order mark, no key twice in an object,
 /// numbers that are finite doubles, at most max_json_depth levels, nothing after the value.
 /// @throws InputError "file:line:column: found ...; expected ...", or the JSON pointer for a key
 ///         found twice
 JsonValue parse_json(std::string_view text, const std::string& file_name);
+
+/// The same for one line of many texts: `where` names file and line, and only the column follows.
+JsonValue parse_json_line(std::string_view line, const std::string& where);
 
 /// On one line, ", " and ": " between the parts.
 std::string json_text(const JsonValue& value);

@@ -1,125 +1,14 @@
 #include "io/trace_file.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
 #include <stdexcept>
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/json_node.hpp"
 #include "io/text_file.hpp"
+#include "io/visit_json.hpp"
 
 namespace asterism {
-namespace {
-
-using Extensions = JsonNode::Extensions;
-
-/// Integers up to here are exact wherever JSON numbers are doubles.
-constexpr std::uint64_t max_scan = (std::uint64_t{1} << 53) - 1;
-
-/// Symmetric and positive semi-definite. Judged on the correlations, so that metres and radians of
-/// any size count alike: each of the principal minors must not be negative.
-bool is_covariance(const std::array<double, 9>& c) {
-  constexpr double rounding = 1e-9;
-  const auto deviation = [&](std::size_t i) { return std::sqrt(c[4 * i]); };
-  for (std::size_t i = 0; i < 3; ++i)
-    if (!(c[4 * i] >= 0)) return false;
-  std::array<double, 3> correlation{};  // of (0, 1), (0, 2), (1, 2)
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i + 1; j < 3; ++j) {
-      const double above = c[3 * i + j];
-      const double below = c[3 * j + i];
-      const double scale = deviation(i) * deviation(j);
-      if (std::abs(above - below) > rounding * scale) return false;
-      if (std::abs(above) > (1 + rounding) * scale) return false;
-      correlation[i + j - 1] = scale > 0 ? above / scale : 0;
-    }
-  }
-  const auto [r, s, t] = correlation;
-  return 1 + 2 * r * s * t - r * r - s * s - t * t >= -rounding;
-}
-
-std::size_t read_arm(const JsonNode& node, const Star& star) {
-  if (const auto arm = star.find(node.string())) return *arm;
-  node.refuse("an arm of the star, like " + star.name(0));
-}
-
-Displacement read_displacement(const JsonNode& node) {
-  node.require_keys({"x_m", "y_m", "heading_rad", "covariance"}, Extensions::refused);
-  Displacement result{node["x_m"].number(), node["y_m"].number(), node["heading_rad"].number(), {}};
-  const JsonNode covariance = node["covariance"];
-  const auto numbers = covariance.items(9, "numbers");
-  std::ranges::transform(numbers, result.covariance.begin(), &JsonNode::number);
-  if (!is_covariance(result.covariance))
-    covariance.refuse("an asymmetric or indefinite matrix",
-                      "a symmetric, positive semi-definite matrix, row by row");
-  return result;
-}
-
-std::array<long long, 2> read_scans(const JsonNode& node) {
-  const auto scans = node.items(2, "scans, the first and the last");
-  const auto first = scans[0].count(max_scan);
-  const auto last = scans[1].count(max_scan);
-  if (first > last) scans[1].refuse("no scan before the first, " + std::to_string(first));
-  return {static_cast<long long>(first), static_cast<long long>(last)};
-}
-
-std::array<double, 2> read_stamps(const JsonNode& node) {
-  const auto stamps = node.items(2, "stamps, in and out");
-  const std::array result{stamps[0].number(), stamps[1].number()};
-  if (result[0] > result[1]) stamps[1].refuse("no stamp before the first, " + stamps[0].found());
-  return result;
-}
-
-std::vector<MeasuredGateway> read_gateways(const JsonNode& node, const Star& star) {
-  std::vector<MeasuredGateway> result;
-  std::set<std::size_t> measured;
-  for (const JsonNode& item : node.items()) {
-    item.require_keys({"arm", "x_m", "y_m", "heading_rad", "width_m"}, Extensions::refused);
-    const JsonNode name = item["arm"];
-    const std::size_t arm = read_arm(name, star);
-    if (!star.has_gateway(arm))
-      name.refuse(name.string() + ", which has no gateway", "an arm with α = 1");
-    if (!measured.insert(arm).second) name.refuse(name.string() + " again", "each arm once");
-    const JsonNode width = item["width_m"];
-    if (!(width.number() > 0)) width.refuse("a width above 0");
-    result.push_back({name.string(), item["x_m"].number(), item["y_m"].number(),
-                      item["heading_rad"].number(), width.number()});
-  }
-  return result;
-}
-
-std::string read_lpm(const JsonNode& node) {
-  const std::string& file = node.string();
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
-  if (file.empty() || file.starts_with('/') || std::ranges::any_of(file, is_control))
-    node.refuse("a file relative to the trace");
-  return file;
-}
-
-Visit read_visit(const JsonNode& node) {
-  node.require_keys({"star", "entered_by", "left_by", "true_place", "displacement", "scans",
-                     "stamps_s", "lpm", "gateways"},
-                    Extensions::allowed);
-  Visit visit{.star = node["star"].star()};
-  if (const auto arm = node["entered_by"]; arm.exists())
-    visit.entered_by = read_arm(arm, visit.star);
-  if (const auto arm = node["left_by"]; arm.exists()) visit.left_by = read_arm(arm, visit.star);
-  if (const auto place = node["true_place"]; place.exists()) visit.true_place = place.string();
-  if (const auto displacement = node["displacement"]; displacement.exists())
-    visit.displacement = read_displacement(displacement);
-  if (const auto scans = node["scans"]; scans.exists()) visit.scans = read_scans(scans);
-  if (const auto stamps = node["stamps_s"]; stamps.exists()) visit.stamps_s = read_stamps(stamps);
-  if (const auto lpm = node["lpm"]; lpm.exists()) visit.lpm = read_lpm(lpm);
-  if (const auto gateways = node["gateways"]; gateways.exists())
-    visit.gateways = read_gateways(gateways, visit.star);
-  visit.extensions = node.extensions();
-  return visit;
-}
-
-}  // namespace
-
 Trace read_trace(std::string_view json_text, const std::string& file_name) {
   if (json_text.size() > max_trace_bytes)
     throw InputError(file_name, std::to_string(json_text.size()) + " bytes",
@@ -130,7 +19,7 @@ Trace read_trace(std::string_view json_text, const std::string& file_name) {
   root["version"].require("1");
   // Basic SSH, "ssh", tells views and actions in place of visits.
   if (const auto kind = root["kind"]; kind.exists()) kind.require("\"hssh\"");
-  root.require_keys({"format", "version", "kind", "name", "visits"}, Extensions::allowed);
+  root.require_keys({"format", "version", "kind", "name", "visits"}, JsonNode::Extensions::allowed);
 
   Trace trace{root["name"].string(), {}, root.extensions()};
   for (const JsonNode& visit : root["visits"].items()) trace.visits.push_back(read_visit(visit));

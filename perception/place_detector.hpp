@@ -13,12 +13,15 @@ namespace asterism {
 struct DetectedVisit {
   Visit visit;                         ///< all but `lpm`, which names a file
   std::optional<Grid> place_map = {};  ///< m_p in the visit's frame, if there is one
+
+  friend bool operator==(const DetectedVisit&, const DetectedVisit&) = default;
 };
 
 /// Turns scans into stars: the whole seam between sensing and logic.   [DESIGN §11] [BMK10, §5]
 ///
 /// The visits handed over, in order, make a valid trace: each but the first was entered by an arm,
-/// each but the last left by one, and their `scans` do not overlap and do not decrease.
+/// each but the last left by one, and their `scans` do not overlap and do not decrease. All that is
+/// asked of them is in perception/detector_laws.hpp.
 class PlaceDetector {
  public:
   PlaceDetector() = default;
@@ -32,7 +35,8 @@ class PlaceDetector {
   /// the log.  @throws PluginError if it cannot go on
   virtual std::optional<DetectedVisit> observe(const Scan& scan) = 0;
 
-  /// The log has ended: the visit it ended in, if it did.  @throws PluginError
+  /// The log has ended: the next of the visits not yet handed over, the one it ended in last.
+  /// Called until it returns nothing.  @throws PluginError
   virtual std::optional<DetectedVisit> finish() = 0;
 };
 

@@ -42,7 +42,7 @@ LIBRARIES = [
     ("Ceres", r"ceres/", {"metric"}, {"metric"}),
     ("Catch2", r"catch2/", set(), set()),
     ("RapidCheck", r"rapidcheck", set(), set()),
-    ("the system", r"(sys/|unistd\.h|fcntl\.h|signal\.h|dlfcn\.h)", EVERY - {"core"}, set()),
+    ("the system", r"(sys/|(unistd|fcntl|signal|dlfcn|poll|spawn)\.h)", EVERY - {"core"}, set()),
     ("the standard library", r"[a-z_0-9]+$", EVERY, EVERY),
 ]
 

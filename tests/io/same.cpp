@@ -6,12 +6,6 @@
 namespace asterism {
 namespace {
 
-auto members(const Displacement& d) { return std::tie(d.x_m, d.y_m, d.heading_rad, d.covariance); }
-
-auto members(const MeasuredGateway& g) {
-  return std::tie(g.arm, g.x_m, g.y_m, g.heading_rad, g.width_m);
-}
-
 auto members(const TopologicalMap::Place& p) { return std::tie(p.star, p.first_visit); }
 
 auto members(const TopologicalMap::Path& p) { return std::tie(p.places, p.ends); }
@@ -40,15 +34,6 @@ bool equal(const std::vector<Part>& a, const std::vector<Part>& b) {
   return std::ranges::equal(a, b, [](const Part& x, const Part& y) { return equal(x, y); });
 }
 
-bool equal(const Visit& a, const Visit& b) {
-  const auto plain = [](const Visit& v) {
-    return std::tie(v.star, v.entered_by, v.left_by, v.scans, v.stamps_s, v.lpm, v.true_place,
-                    v.extensions);
-  };
-  return plain(a) == plain(b) && equal(a.displacement, b.displacement) &&
-         equal(a.gateways, b.gateways);
-}
-
 bool equal(const TopologicalMap& a, const TopologicalMap& b) {
   const auto plain = [](const TopologicalMap& m) {
     return std::tie(m.visits, m.entered, m.left, m.segments);
@@ -59,9 +44,7 @@ bool equal(const TopologicalMap& a, const TopologicalMap& b) {
 }  // namespace
 
 bool same(const Trace& a, const Trace& b) {
-  return a.name == b.name && a.extensions == b.extensions &&
-         std::ranges::equal(a.visits, b.visits,
-                            [](const Visit& x, const Visit& y) { return equal(x, y); });
+  return a.name == b.name && a.extensions == b.extensions && a.visits == b.visits;
 }
 
 bool same(const MapReport& a, const MapReport& b) {

@@ -1,0 +1,3 @@
+#include "perception/plugin.hpp"
+
+const asterism::DetectorPlugin asterism_detector_plugin{};

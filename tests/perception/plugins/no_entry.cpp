@@ -1,0 +1,2 @@
+// A library, but of no detector.
+extern "C" int asterism_detector() { return 1; }
