@@ -21,7 +21,7 @@ struct Grid {
   int width = 0;   ///< columns
   int height = 0;  ///< rows
   double resolution_m = 0.1;
-  Point2 origin = {};  ///< the grid's lower left corner in the frame it is drawn in
+  Pose2 frame_from_grid = {};  ///< the grid's lower left corner and its axes, in its frame
   std::vector<float> log_odds = {};
 
   bool contains(Cell cell) const {
@@ -31,14 +31,16 @@ struct Grid {
     return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(cell.column);
   }
-  Cell cell_at(Point2 point) const {
-    return {static_cast<int>(std::floor((point.x_m - origin.x_m) / resolution_m)),
-            static_cast<int>(std::floor((point.y_m - origin.y_m) / resolution_m))};
+  /// The cell round a point of the frame; it may lie outside the grid.
+  Cell cell_at(Point2 in_frame) const {
+    const Point2 point = inverse(frame_from_grid) * in_frame;
+    return {static_cast<int>(std::floor(point.x_m / resolution_m)),
+            static_cast<int>(std::floor(point.y_m / resolution_m))};
   }
-  /// The middle of a cell.
+  /// The middle of a cell, in the frame.
   Point2 centre(Cell cell) const {
-    return {origin.x_m + (cell.column + 0.5) * resolution_m,
-            origin.y_m + (cell.row + 0.5) * resolution_m};
+    return frame_from_grid *
+           Point2{(cell.column + 0.5) * resolution_m, (cell.row + 0.5) * resolution_m};
   }
 
   friend bool operator==(const Grid&, const Grid&) = default;

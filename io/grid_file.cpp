@@ -48,8 +48,8 @@ Description read_description(std::string_view json_text, const std::string& file
   const JsonNode resolution = root["resolution_m"];
   grid.resolution_m = resolution.number();
   if (!(grid.resolution_m > 0)) resolution.refuse("metres above 0");
-  const auto origin = root["origin"].items(2, "numbers, x and y");
-  grid.origin = {origin[0].number(), origin[1].number()};
+  const auto origin = root["origin"].items(3, "numbers, x, y and heading");
+  grid.frame_from_grid = {origin[0].number(), origin[1].number(), origin[2].number()};
   for (const char* key : {"width", "height"})
     if (root[key].count(max_pixels) == 0) root[key].refuse("at least one cell");
   grid.width = static_cast<int>(root["width"].count(max_pixels));
@@ -149,7 +149,9 @@ void write_grid_file(const std::string& file, const Grid& grid) {
     throw std::invalid_argument(file + ": found no name that ends in .json; expected one");
   const std::string json = "{ \"format\": \"asterism/grid\", \"version\": 1, \"resolution_m\": " +
                            json_number(grid.resolution_m) + ", \"origin\": [" +
-                           json_number(grid.origin.x_m) + ", " + json_number(grid.origin.y_m) +
+                           json_number(grid.frame_from_grid.x_m) + ", " +
+                           json_number(grid.frame_from_grid.y_m) + ", " +
+                           json_number(grid.frame_from_grid.heading_rad) +
                            "],\n  \"width\": " + std::to_string(grid.width) +
                            ", \"height\": " + std::to_string(grid.height) +
                            ", \"image\": " + json_quoted(image) + " }\n";

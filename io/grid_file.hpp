@@ -10,9 +10,10 @@ namespace asterism {
 
 /// A grid is two files: a JSON, and beside it the grey PNG that it names, top row first.
 ///
-///   { "format": "asterism/grid", "version": 1, "resolution_m": 0.1, "origin": [-15, -15],
+///   { "format": "asterism/grid", "version": 1, "resolution_m": 0.1, "origin": [-15, -15, 0],
 ///     "width": 300, "height": 300, "image": "0.png" }
 ///
+/// The origin is the pose of the lower left corner: x, y, heading.
 /// A grey g from 0 to 254 stands for the odds of an obstacle, (254.5 - g) : (g + 0.5): 0 is black
 /// and occupied, 254 is white and free, 127 is unknown. So log-odds beyond ±6.23 are cut to that,
 /// and each other one to the nearest grey; what was read is written again without loss.

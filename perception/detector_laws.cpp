@@ -44,11 +44,7 @@ bool is_finite(const MeasuredGateway& gateway) {
 }
 
 /// Whether the origin of the frame lies within the grid.
-bool contains_origin(const Grid& grid) {
-  const Point2 corner = grid.origin + grid.resolution_m * Point2{static_cast<double>(grid.width),
-                                                                 static_cast<double>(grid.height)};
-  return grid.origin.x_m <= 0 && grid.origin.y_m <= 0 && corner.x_m > 0 && corner.y_m > 0;
-}
+bool contains_origin(const Grid& grid) { return grid.contains(grid.cell_at({0, 0})); }
 
 }  // namespace
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 std::string json(const std::string& from = "", const std::string& to = "") {
   std::string text = R"({ "format": "asterism/grid", "version": 1, "resolution_m": 0.1,
-    "origin": [-1, 2.5], "width": 3, "height": 2, "image": "map.png" })";
+    "origin": [-1, 2.5, 0.5], "width": 3, "height": 2, "image": "map.png" })";
   if (const auto at = text.find(from); !from.empty()) text.replace(at, from.size(), to);
   return text;
 }
@@ -38,7 +38,7 @@ Grid random_grid(std::mt19937_64& random) {
   grid.width = static_cast<int>(1 + random() % 40);
   grid.height = static_cast<int>(1 + random() % 40);
   grid.resolution_m = 0.01 * static_cast<double>(1 + random() % 50);
-  grid.origin = {-0.1 * static_cast<double>(random() % 1000), 1.0 / 3};
+  grid.frame_from_grid = {-0.1 * static_cast<double>(random() % 1000), 1.0 / 3, -0.25};
   for (int i = 0; i < grid.width * grid.height; ++i)
     grid.log_odds.push_back(static_cast<float>(random() % 2001) / 100 - 10);
   return grid;
@@ -67,7 +67,7 @@ TEST_CASE("what the two files say is in the grid", "[io]") {
   CHECK(grid.width == 3);
   CHECK(grid.height == 2);
   CHECK(grid.resolution_m == 0.1);
-  CHECK(grid.origin == Point2{-1, 2.5});
+  CHECK(grid.frame_from_grid == Pose2{-1, 2.5, 0.5});
   CHECK(grid.log_odds[grid.index({0, 1})] == log_odds_of_grey(254));
   CHECK(grid.log_odds[grid.index({1, 1})] == 0);
   CHECK(grid.log_odds[grid.index({2, 1})] == log_odds_of_grey(0));
@@ -87,7 +87,7 @@ TEST_CASE("a grid is read as it was written, each cell to its grey", "[io][prope
   CHECK(again.width == grid.width);
   CHECK(again.height == grid.height);
   CHECK(again.resolution_m == grid.resolution_m);
-  CHECK(again.origin == grid.origin);
+  CHECK(again.frame_from_grid == grid.frame_from_grid);
   REQUIRE(again.log_odds.size() == grid.log_odds.size());
   for (std::size_t i = 0; i < grid.log_odds.size(); ++i)
     CHECK(again.log_odds[i] == log_odds_of_grey(grey_of_log_odds(grid.log_odds[i])));
@@ -112,7 +112,7 @@ TEST_CASE("a bad description of a grid is refused", "[io]") {
   CHECK(refusal("0.1", "-1") == "lpm/map.json:/resolution_m: found -1; expected metres above 0");
   CHECK(refusal("0.1", "null") == "lpm/map.json:/resolution_m: found null; expected a number");
   CHECK(refusal("-1, 2.5", "-1") ==
-        "lpm/map.json:/origin: found an array of 1; expected 2 numbers, x and y");
+        "lpm/map.json:/origin: found an array of 2; expected 3 numbers, x, y and heading");
   CHECK(refusal("2.5", "\"2\"") == "lpm/map.json:/origin/1: found \"2\"; expected a number");
   CHECK(refusal("\"width\": 3, ", "") ==
         "lpm/map.json:/width: found nothing; expected an integer from 0 to 16777216");
@@ -204,7 +204,7 @@ TEST_CASE("a grid that could not be read back is not written", "[io]") {
   SECTION("negative size") { grid.width = grid.height = -2; }
   SECTION("no resolution") { grid.resolution_m = 0; }
   SECTION("resolution infinite") { grid.resolution_m = HUGE_VAL; }
-  SECTION("origin no number") { grid.origin.y_m = nan; }
+  SECTION("origin no number") { grid.frame_from_grid.y_m = nan; }
   SECTION("cell no number") { grid.log_odds[2] = std::numeric_limits<float>::quiet_NaN(); }
   CHECK_THROWS_AS(write_grid_file(file, grid), std::invalid_argument);
   CHECK(folder.entries() == 0);

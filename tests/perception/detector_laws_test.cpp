@@ -142,7 +142,7 @@ TEST_CASE("each law is broken by the visit that breaks it", "[perception][laws]"
       {"visit 0/place_map: found a map without the origin of the visit's frame; expected the "
        "origin inside",
        [](Visits& v) {
-         v[0].place_map->origin = {-2, -1};
+         v[0].place_map->frame_from_grid = {-2, -1, 0};
        }},
       {"visit 0/lpm: found a file beside the place map; expected one of the two",
        [](Visits& v) { v[0].visit.lpm = "lpm.json"; }},

@@ -1,0 +1,112 @@
+#include "perception/local_perceptual_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace asterism {
+namespace {
+
+constexpr int kBridged = 5;  // so many beams without a return between two with one are free space
+
+}  // namespace
+
+LocalPerceptualMap::LocalPerceptualMap(const LpmOptions& options) : options_(options) {
+  const auto cells = static_cast<std::size_t>(options.cells);
+  const double half_m = options.cells / 2 * options.resolution_m;
+  grid_ = {.width = options.cells,
+           .height = options.cells,
+           .resolution_m = options.resolution_m,
+           .frame_from_grid = {-half_m, -half_m, 0},
+           .log_odds = std::vector<float>(cells * cells, 0.0F)};
+  drawn_.assign(cells * cells, 0);
+}
+
+void LocalPerceptualMap::scroll_to(Point2 robot) {
+  const Cell at = grid_.cell_at(robot);
+  const int right = at.column - grid_.width / 2;
+  const int up = at.row - grid_.height / 2;
+  if (right == 0 && up == 0) return;
+
+  std::vector<float> moved(grid_.log_odds.size(), 0.0F);
+  const int first = std::max(0, -right);
+  const int last = std::min(grid_.width, grid_.width - right);
+  for (int row = std::max(0, -up); row < std::min(grid_.height, grid_.height - up); ++row) {
+    if (first >= last) break;
+    const auto from = grid_.log_odds.begin() +
+                      static_cast<std::ptrdiff_t>(grid_.index({first + right, row + up}));
+    std::copy(from, from + (last - first),
+              moved.begin() + static_cast<std::ptrdiff_t>(grid_.index({first, row})));
+  }
+  grid_.log_odds = std::move(moved);
+  grid_.frame_from_grid.x_m += right * grid_.resolution_m;
+  grid_.frame_from_grid.y_m += up * grid_.resolution_m;
+}
+
+void LocalPerceptualMap::update(const Scan& scan, const Pose2& map_from_robot) {
+  ++scan_;
+  const Pose2 map_from_laser = map_from_robot * scan.laser.robot_from_laser;
+  const Cell from = grid_.cell_at(map_from_laser.position());
+  const auto end_of = [&](double beam_rad, double range_m) {
+    return grid_.cell_at(map_from_laser * (range_m * unit_vector(beam_rad)));
+  };
+  ends_.clear();
+  double last_m = 0;          // range of the last return
+  int missed = kBridged + 1;  // beams since then
+  for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam) {
+    // No return at all may be glass or a black wall: nothing is said about its cells.
+    if (scan.ranges_m[beam] >= scan.laser.max_range_m) {
+      ++missed;
+      continue;
+    }
+    const double range_m = std::min(scan.ranges_m[beam], options_.usable_range_m);
+    const double beam_rad = scan.laser.beam_rad(beam);
+    ends_.push_back(end_of(beam_rad, range_m));
+    if (range_m == scan.ranges_m[beam]) add(ends_.back(), options_.hit);
+    // Between two returns space is free as far as the nearer one: no streaks between far beams.
+    if (missed <= kBridged) {
+      const double nearer_m = std::min(last_m, range_m) - grid_.resolution_m;
+      const double gap_rad = (missed + 1) * scan.laser.beam_step_rad;
+      const int rays = static_cast<int>(nearer_m * std::abs(gap_rad) / (0.7 * grid_.resolution_m));
+      for (int ray = 1; ray <= rays; ++ray) {
+        ends_.push_back(end_of(beam_rad - ray * gap_rad / (rays + 1), nearer_m));
+      }
+    }
+    last_m = range_m;
+    missed = 0;
+  }
+  for (const Cell end : ends_) trace(from, end);
+}
+
+// Bresenham's line, without its last cell.
+void LocalPerceptualMap::trace(Cell from, Cell to) {
+  const int columns = std::abs(to.column - from.column);
+  const int rows = std::abs(to.row - from.row);
+  const int right = to.column > from.column ? 1 : -1;
+  const int up = to.row > from.row ? 1 : -1;
+  int error = columns - rows;
+  for (Cell cell = from; !(cell == to);) {
+    if (!grid_.contains(cell)) return;
+    add(cell, options_.miss);
+    const int twice = 2 * error;
+    if (twice > -rows) {
+      error -= rows;
+      cell.column += right;
+    }
+    if (twice < columns) {
+      error += columns;
+      cell.row += up;
+    }
+  }
+}
+
+void LocalPerceptualMap::add(Cell cell, double log_odds) {
+  if (!grid_.contains(cell)) return;
+  const std::size_t at = grid_.index(cell);
+  if (drawn_[at] == scan_) return;
+  drawn_[at] = scan_;
+  grid_.log_odds[at] = static_cast<float>(
+      std::clamp(grid_.log_odds[at] + log_odds, -options_.bound, options_.bound));
+}
+
+}  // namespace asterism

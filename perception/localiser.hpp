@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/grid.hpp"
+#include "core/random.hpp"
+#include "core/scan.hpp"
+
+namespace asterism {
+
+struct LocaliserOptions {
+  std::size_t particles = 80;
+  std::size_t beams = 180;  ///< at most so many of a scan's returns are matched
+  double usable_range_m = 20;
+
+  // Odometry: standard deviations of one step.
+  double noise_per_m = 0.10;              ///< of position, a metre driven
+  double heading_noise_per_m_rad = 0.05;  ///< of heading, a metre driven
+  double heading_noise_per_rad = 0.15;    ///< of heading, a radian turned
+  double least_noise_m = 0.005;
+  double least_heading_noise_rad = 0.002;
+
+  double sigma_m = 0.10;  ///< likelihood field: deviation of a return from its wall
+  // How much worse a match the most likely pose may have for being where the odometry says.
+  double prior_per_m2 = 5;
+  double prior_per_rad2 = 0.3;
+  double gain = 30;          ///< log-likelihood of a scan that fits perfectly
+  double poor_match = 0.45;  ///< mean field value below which headings are searched widely
+  double wide_heading_rad = 0.45;
+};
+
+/// Where the robot is in its local perceptual map: Bel(x_t) as weighted particles.
+///
+///   Bel(x_t) = η P(z_t | x_t, m) ∫ P(x_t | x_{t-1}, u_t) Bel(x_{t-1}) dx_{t-1}      [BMK10, §4.1]
+///
+/// P(z | x, m) is the likelihood field: a return fits by its distance to the nearest occupied cell.
+/// The most likely pose, from which the map is drawn, is the best particle after hill-climbing.
+class Localiser {
+ public:
+  /// @param start  map_from_robot at the first scan
+  Localiser(const LocaliserOptions& options, const Pose2& start);
+
+  struct Estimate {
+    Pose2 map_from_robot = {};  ///< most likely
+    double match = 1;           ///< mean field value of the returns there, 0 to 1
+    double turned_rad = 0;      ///< since the scan before
+  };
+
+  /// Moves the particles by the odometry since the last scan and weighs them by this one.
+  Estimate observe(const Scan& scan, const Grid& map);
+
+ private:
+  void draw_field(const Grid& map);
+  double field_at(Point2 point) const;
+  double match(const Pose2& map_from_robot) const;
+  Pose2 climb(Pose2 best, const Pose2& by_odometry, double& best_match) const;
+  void resample();
+
+  struct Particle {
+    Pose2 pose;
+    double weight;  ///< logarithm
+  };
+
+  LocaliserOptions options_;
+  std::vector<float> kernel_;
+  int reach_ = 0;  ///< of the kernel, in cells
+  std::vector<Particle> particles_;
+  std::optional<Pose2> odom_from_last_;
+  Pose2 last_ = {};
+  RandomEngine random_;
+
+  // Of the scan at work.
+  std::vector<float> field_;
+  int width_ = 0;
+  int height_ = 0;
+  double resolution_m_ = 1;
+  Point2 corner_ = {};
+  std::vector<Point2> returns_;  ///< in the robot's frame
+};
+
+}  // namespace asterism

@@ -1,1 +1,0 @@
-#include "perception/place_detector.hpp"

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "perception/free_space.hpp"
+
+namespace asterism {
+
+struct SkeletonOptions {
+  double min_gateway_width_m = 0.95;  ///< narrower branches are cut
+  double exit_reach_m = 0.5;  ///< a line stops short of the unknown by half its width and this
+  double exit_share = 0.7;    ///< an exit opens to the unknown over this share of a gateway's width
+};
+
+/// A point of the skeleton, where it can go, and how wide it is there.
+struct SkeletonPoint {
+  Cell cell = {};
+  double radius_m = 0;                    ///< r_p: clearance of the cell
+  std::vector<std::size_t> neighbours{};  ///< in the full skeleton
+  std::vector<std::size_t> critical{};    ///< those of them that the pruned skeleton keeps
+};
+
+/// The skeleton of the robot's component of free space, and the part of it that matters: the union
+/// of the shortest paths between its exits.                      [DESIGN §11, 3-4] [BMK10, §5.1.1]
+///
+/// Cut first, thinned then: free space less than half a gateway's width from an obstacle belongs to
+/// no branch a robot could take, and a picture so shrunk thins to few spurs.
+struct Skeleton {
+  std::vector<SkeletonPoint> points = {};
+  std::vector<std::size_t> exits = {};       ///< ends at unknown space or at the grid's edge
+  std::optional<std::size_t> dead_end = {};  ///< where the one branch stops, if there is one exit
+
+  bool is_critical(std::size_t point) const { return !points[point].critical.empty(); }
+  bool is_junction(std::size_t point) const { return points[point].critical.size() > 2; }
+};
+
+Skeleton skeleton(const FreeSpace& space, Cell robot, const SkeletonOptions& options = {});
+
+/// Of each point, the one before it on the shortest path from `start`, and how far it is; in cells.
+struct ShortestPaths {
+  std::vector<std::optional<std::size_t>> before = {};
+  std::vector<double> length = {};  ///< infinite: not connected
+};
+ShortestPaths shortest_paths(const Skeleton& skeleton, std::size_t start);
+
+}  // namespace asterism
