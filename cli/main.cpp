@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <numbers>
 
 #include "cli/options.hpp"
 #include "core/error.hpp"
@@ -37,6 +38,8 @@ CLI::Validator number_between(double low, double high, const std::string& expect
       "");
 }
 const CLI::Validator seconds = number_between(0, 1e9, "seconds, at least 0");
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
 const CLI::Validator share = number_between(0, 1, "a number from 0 to 1");
 
 void add_axiom_options(CLI::App& app, AxiomOptions& options) {
@@ -140,6 +143,82 @@ Same options, same bytes.)");
   simulate.callback([&] { chosen = [&] { return simulate_command(command); }; });
 }
 
+void add_perceive(CLI::App& app, PerceiveCommand& command, std::function<int()>& chosen) {
+  CLI::App& perceive = *app.add_subcommand("perceive", "Turn a laser log into a trace");
+  perceive.footer(R"(Examples:
+  asterism perceive drive.log.xz -o drive.trace.json --plots drive-plots
+  asterism perceive drive.log --max-range 8.18 --fov 180 -o drive.trace.json
+  asterism perceive drive.log --detector-command 'python3 places.py' -o drive.trace.json
+  asterism perceive drive.log | asterism map /dev/stdin --planar
+With -o FILE.trace.json the maps of the places go to the folder FILE.lpm beside it.
+Exit code: 0 there is a trace, 64 usage, 65 bad input or no place in it, 69 a detector that cannot
+go on, 70 internal fault or a result that cannot be written.)");
+  perceive.add_option("log", command.log, "CARMEN log, plain or packed by gzip or xz")->required();
+  perceive.add_option("-o,--output", command.output, "Trace file; -: stdout")
+      ->type_name("FILE")
+      ->capture_default_str();
+  CLI::Option& plots =
+      *perceive
+           .add_option("--plots", command.plots_folder,
+                       "Draw each place as it was seen, a strip of all, and the robot's way")
+           ->type_name("DIR");
+  CLI::Option& library =
+      *perceive
+           .add_option("--detector", command.library,
+                       "Shared library of a place detector; see docs/detectors.md")
+           ->type_name("LIB");
+  CLI::Option& program =
+      *perceive
+           .add_option("--detector-command", command.program,
+                       "Program that reads scans and writes visits, as lines of JSON")
+           ->type_name("CMD");
+  library.excludes(&program);
+  plots.excludes(&library)->excludes(&program);
+  perceive
+      .add_option_function<double>(
+          "--fov", [&](double degrees) { command.laser.field_of_view_rad = radians(degrees); },
+          "Field of view of the laser, degrees")
+      ->type_name("DEG")
+      ->check(number_between(0.1, 360, "degrees, 0.1 to 360"));
+  perceive
+      .add_option("--max-range", command.laser.max_range_m, "A range of this or more is no return")
+      ->type_name("M")
+      ->check(number_between(0.1, 1e4, "metres, 0.1 to 10000"));
+  perceive
+      .add_option_function<std::vector<double>>(
+          "--laser-offset",
+          [&](const std::vector<double>& at) {
+            command.laser.robot_from_laser = {at[0], at[1], wrapped(radians(at[2]))};
+          },
+          "Where the laser stands on the robot: metres ahead, metres left, degrees")
+      ->type_name("X,Y,DEG")
+      ->delimiter(',')
+      ->expected(3);
+  perceive
+      .add_option("--min-gateway-width", command.detector.topology.skeleton.min_gateway_width_m,
+                  "Openings of less measured clearance lead nowhere")
+      ->type_name("M")
+      ->check(number_between(0.1, 10, "metres, 0.1 to 10"))
+      ->capture_default_str();
+  perceive
+      .add_option("--resolution", command.detector.lpm.resolution_m, "Side of a cell of the map")
+      ->type_name("M")
+      ->check(number_between(0.02, 0.5, "metres, 0.02 to 0.5"))
+      ->capture_default_str();
+  perceive.add_option("--cells", command.detector.lpm.cells, "Cells along each side of the map")
+      ->type_name("N")
+      ->check(CLI::Range(60, 2000))
+      ->capture_default_str();
+  perceive
+      .add_option_function<double>(
+          "--start-heading",
+          [&](double degrees) { command.detector.start_heading_rad = wrapped(radians(degrees)); },
+          "Heading of the robot on the map at the first scan; turns the grid, not the result")
+      ->type_name("DEG")
+      ->check(number_between(-360, 360, "degrees, -360 to 360"));
+  perceive.callback([&] { chosen = [&] { return perceive_command(command); }; });
+}
+
 void add_axioms(CLI::App& app, AxiomOptions& options, std::function<int()>& chosen) {
   CLI::App& axioms = *app.add_subcommand("axioms", "Print the axioms in force");
   axioms.footer(R"(Examples:
@@ -176,11 +255,13 @@ int run(int argc, char** argv) {
   app.footer("Each command has a --help with examples.");
 
   MapCommand map;
+  PerceiveCommand perceive;
   SimulateCommand simulate;
   AxiomOptions axioms;
   std::vector<std::string> files;
   std::function<int()> chosen;
   add_map(app, map, chosen);
+  add_perceive(app, perceive, chosen);
   add_simulate(app, simulate, chosen);
   add_axioms(app, axioms, chosen);
   add_validate(app, files, chosen);
@@ -203,6 +284,8 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const InputError& error) {
     return fail(exit_bad_input, error.what());
+  } catch (const PluginError& error) {
+    return fail(exit_plugin, error.what());
   } catch (const DifferenceError& error) {
     const int code = fail(exit_internal, error.what());
     std::fputs(trace_json(error.shortest_trace).c_str(), stderr);

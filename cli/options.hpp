@@ -6,6 +6,8 @@
 
 #include "axioms/axiom_set.hpp"
 #include "core/map_report.hpp"
+#include "io/carmen_log.hpp"
+#include "perception/scan_detector.hpp"
 
 namespace asterism {
 
@@ -47,8 +49,19 @@ struct SimulateCommand {
   std::optional<std::string> true_map;
 };
 
+struct PerceiveCommand {
+  std::string log;
+  std::string output = "-";
+  std::optional<std::string> plots_folder;
+  std::optional<std::string> library;  ///< detector instead of the one that ships
+  std::optional<std::string> program;  ///< the same
+  LogOptions laser;
+  ScanDetectorOptions detector;
+};
+
 /// Each prints its result on stdout, progress on stderr, and returns the exit code.
 int map_command(const MapCommand& command);
+int perceive_command(const PerceiveCommand& command);
 int simulate_command(const SimulateCommand& command);
 int axioms_command(const AxiomOptions& options);
 int validate_command(const std::vector<std::string>& files);
@@ -61,6 +74,7 @@ enum ExitCode {
   exit_undecided = 2,
   exit_usage = 64,
   exit_bad_input = 65,
+  exit_plugin = 69,
   exit_internal = 70
 };
 

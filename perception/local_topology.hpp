@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "perception/local_star.hpp"
 
@@ -20,7 +21,9 @@ struct LocalTopology {
   std::optional<LocalStar> star = {};               ///< nothing: no gateway
 };
 
+/// @param driven  where the robot drove, in the grid's frame
 LocalTopology local_topology(const Grid& grid, Point2 robot,
-                             const LocalTopologyOptions& options = {});
+                             const LocalTopologyOptions& options = {},
+                             std::span<const Point2> driven = {});
 
 }  // namespace asterism

@@ -111,7 +111,14 @@ void ScanDetector::look(double passed_s) {
     stayed_s_ = 0;
   }
   stayed_s_ += passed_s;
-  surroundings_ = local_topology(map_.grid(), robot_.position(), options_.topology);
+  std::vector<Point2> driven;
+  for (auto step = way_.rbegin();
+       step != way_.rend() &&
+       map_.grid().contains(map_.grid().cell_at(step->map_from_robot.position()));
+       ++step) {
+    driven.push_back(step->map_from_robot.position());
+  }
+  surroundings_ = local_topology(map_.grid(), robot_.position(), options_.topology, driven);
   const bool possible_place = surroundings_.star && !is_on_path(*surroundings_.star);
   fixed_ = possible_place || stayed_in_place_s_ >= options_.hold_s;
   if (!possible_place || surroundings_.neighbourhood->unknown_border > options_.explored) return;
@@ -189,9 +196,14 @@ std::optional<DetectedVisit> ScanDetector::leave(const Sight& place, std::size_t
   }
   const std::optional<Crossing> in = entered(place, inside);
   const bool stayed = stayed_in_place_s_ >= options_.hold_s;
-  const bool turned_off = in && place.seen_s >= options_.hold_s / 2 && in->gateway != gateway &&
-                          std::abs(wrapped(gateways[in->gateway].outward_rad + std::numbers::pi -
-                                           gateways[gateway].outward_rad)) > options_.turn_off_rad;
+  // Of a place driven through, both the gateways and the robot's heading tell of a turn.
+  const auto turned = [&](double from_rad, double to_rad) {
+    return std::abs(wrapped(to_rad - from_rad)) > options_.turn_off_rad;
+  };
+  const bool turned_off =
+      in && place.seen_s >= options_.hold_s && in->gateway != gateway &&
+      turned(gateways[in->gateway].outward_rad + std::numbers::pi, gateways[gateway].outward_rad) &&
+      turned(way_[in->inside].map_from_robot.heading_rad, robot_.heading_rad);
   std::optional<DetectedVisit> result;
   if ((stayed || turned_off) && (in || !last_visit_)) {
     result = visit(place, in, Crossing{gateway, inside});
@@ -226,6 +238,10 @@ DetectedVisit ScanDetector::visit(const Sight& place, std::optional<Crossing> in
     visit.displacement = Displacement{moved.x_m, moved.y_m, moved.heading_rad, {}};
   }
   last_visit_ = first.map_from_robot;
+  last_place_ = {place.topology, first.map_from_robot, {}};
+  for (std::size_t i = in ? in->inside : 0; i <= (out ? out->inside : way_.size() - 1); ++i) {
+    last_place_->way.push_back(way_[i].map_from_robot.position());
+  }
   result.place_map = map_.grid();
   result.place_map->frame_from_grid = visit_from_map * map_.grid().frame_from_grid;
   return result;

@@ -48,6 +48,13 @@ class ScanDetector final : public PlaceDetector {
 
   const LocalPerceptualMap& map() const noexcept { return map_; }
   const Pose2& map_from_robot() const noexcept { return robot_; }
+  /// How the visit handed over last was seen.
+  struct PlaceView {
+    LocalTopology topology = {};
+    Pose2 map_from_visit = {};
+    std::vector<Point2> way = {};  ///< of the robot, in the map's frame
+  };
+  const std::optional<PlaceView>& last_place() const noexcept { return last_place_; }
   /// What the last scan's map says of the robot's surroundings.
   const LocalTopology& surroundings() const noexcept { return surroundings_; }
 
@@ -96,6 +103,7 @@ class ScanDetector final : public PlaceDetector {
   std::vector<Sight> sights_;
   double stayed_in_place_s_ = 0;     ///< how long the robot stayed while it saw a place
   std::optional<Pose2> last_visit_;  ///< map_from_visit
+  std::optional<PlaceView> last_place_;
 };
 
 }  // namespace asterism

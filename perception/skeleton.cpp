@@ -27,9 +27,20 @@ int squared_distance(Cell a, Cell b) {
 }
 
 // The cells with room for a gateway's half width that are connected to the one nearest the robot.
-std::vector<std::uint8_t> roomy_component(const FreeSpace& space, Cell robot, double half_width_m) {
+std::vector<std::uint8_t> roomy_component(const FreeSpace& space, Cell robot, double half_width_m,
+                                          std::span<const Point2> driven) {
   const Grid& frame = space.frame;
-  const auto roomy = [&](Cell cell) { return space.clearance(cell) >= half_width_m; };
+  std::vector<std::uint8_t> was_there(space.cells.size(), 0);
+  for (const Point2 point : driven) {
+    const Cell at = frame.cell_at(point);
+    for (const Cell step : kRing) {
+      if (space.is_free(at + step)) was_there[frame.index(at + step)] = 1;
+    }
+  }
+  const auto roomy = [&](Cell cell) {
+    return space.clearance(cell) >= half_width_m ||
+           (frame.contains(cell) && was_there[frame.index(cell)] != 0);
+  };
   std::vector<std::uint8_t> component(space.cells.size(), 0);
   std::optional<Cell> nearest;
   for (int row = 0; row < frame.height; ++row) {
@@ -241,11 +252,12 @@ ShortestPaths shortest_paths(const Skeleton& skeleton, std::size_t start) {
   return paths;
 }
 
-Skeleton skeleton(const FreeSpace& space, Cell robot, const SkeletonOptions& options) {
+Skeleton skeleton(const FreeSpace& space, Cell robot, const SkeletonOptions& options,
+                  std::span<const Point2> driven) {
   const Grid& frame = space.frame;
   const double half_width_m = options.min_gateway_width_m / 2;
   std::vector<std::uint8_t> lines =
-      thinned(roomy_component(space, robot, half_width_m), frame.width, frame.height);
+      thinned(roomy_component(space, robot, half_width_m, driven), frame.width, frame.height);
   slim(lines, frame);
 
   Skeleton result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "perception/free_space.hpp"
@@ -35,7 +36,9 @@ struct Skeleton {
   bool is_junction(std::size_t point) const { return points[point].critical.size() > 2; }
 };
 
-Skeleton skeleton(const FreeSpace& space, Cell robot, const SkeletonOptions& options = {});
+/// @param driven  where the robot drove: no branch is cut there, however narrow
+Skeleton skeleton(const FreeSpace& space, Cell robot, const SkeletonOptions& options = {},
+                  std::span<const Point2> driven = {});
 
 /// Of each point, the one before it on the shortest path from `start`, and how far it is; in cells.
 struct ShortestPaths {
