@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <numbers>
+#include <stdexcept>
 
 #include "cli/building_svg.hpp"
 #include "cli/carmen_log.hpp"
@@ -18,11 +19,15 @@ namespace asterism {
 namespace {
 
 Building make_building(const SimulateCommand& command, RandomEngine& engine) {
-  Building building =
-      *command.building == "aces-like"
-          ? ring_building(engine)
-          : office_building(
-                {.columns = command.width.value_or(4), .rows = command.height.value_or(3)}, engine);
+  Building building = [&] {
+    if (*command.building == "aces-like") return ring_building(engine);
+    try {
+      return office_building(
+          {.columns = command.width.value_or(4), .rows = command.height.value_or(3)}, engine);
+    } catch (const std::invalid_argument& error) {
+      throw InputError("simulate: " + std::string(error.what()));
+    }
+  }();
   if (command.mirrored) building = mirrored(building);
   const double turned_rad = command.turned_deg * std::numbers::pi / 180;
   if (turned_rad != 0) building = moved(std::move(building), {0, 0, turned_rad});

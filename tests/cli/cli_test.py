@@ -328,6 +328,12 @@ class Drives(Folder):
         self.assertEqual(logs[0], logs[1])
         self.assertEqual(len(set(logs)), 5)
 
+    def test_a_building_that_cannot_be(self):
+        done = self.drive("office", "--width", "1", "--height", "1")
+        self.assertEqual(done.returncode, 65)
+        self.assertRegex(done.stderr, r"^asterism: simulate: found no grid [^\n]+\n$")
+        self.assertFalse(self.log.exists())
+
     def test_on_stdout(self):
         done = run("simulate", "--building", "office", "--travels", "1")
         self.drive("office", "--travels", "1")
