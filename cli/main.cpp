@@ -103,13 +103,37 @@ Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a
   map.callback([&] { chosen = [&] { return map_command(command); }; });
 }
 
+void add_simulated_drive(CLI::App& simulate, SimulateCommand& command) {
+  CLI::Option& building = *simulate
+                               .add_option("--building", command.building,
+                                           "Drive through a building and write the log of its "
+                                           "laser, not a trace")
+                               ->check(CLI::IsMember({"aces-like", "office"}));
+  for (const char* option : {"--world", "--missing", "--stubs", "--corridors"})
+    building.excludes(simulate.get_option(option));
+  const auto of_building = [&](CLI::Option* option) { option->needs(&building); };
+  of_building(simulate.add_option("--turned", command.turned_deg, "Turn the building")
+                  ->type_name("DEGREES")
+                  ->check(number_between(-360, 360, "degrees from -360 to 360"))
+                  ->capture_default_str());
+  of_building(simulate.add_flag("--mirrored", command.mirrored, "Mirror the building first"));
+  of_building(simulate.add_option("--people", command.people, "People who walk about")
+                  ->check(CLI::Range(0, 100))
+                  ->capture_default_str());
+  of_building(simulate.add_option("--true-trace", command.true_trace,
+                                  "Write what a perfect observer would make of the log"));
+  of_building(simulate.add_option("--svg", command.svg, "Draw the building and the drive"));
+}
+
 void add_simulate(CLI::App& app, SimulateCommand& command, std::function<int()>& chosen) {
-  CLI::App& simulate =
-      *app.add_subcommand("simulate", "Walk through a random world and write the trace");
+  CLI::App& simulate = *app.add_subcommand(
+      "simulate", "Walk through a random world and write the trace, or drive and write the log");
   simulate.footer(R"(Examples:
   asterism simulate --seed 7 -o walk.trace.json
   asterism simulate --world corridors --corridors 9 --travels 40 --seed 1 -o walk.trace.json
   asterism simulate --seed 7 | asterism map /dev/stdin --planar
+  asterism simulate --building aces-like --seed 1 -o drive.log --true-trace drive.trace.json
+  asterism simulate --building office --seed 5 --turned 30 -o drive.log --svg drive.svg
 Same options, same bytes.)");
   simulate.add_option("--world", command.world, "Kind of world")
       ->check(CLI::IsMember({"grid", "corridors"}))
@@ -117,15 +141,16 @@ Same options, same bytes.)");
   simulate.add_option("--seed", command.seed, "Seed of world and walk")
       ->check(whole_number)
       ->capture_default_str();
-  simulate.add_option("--travels", command.travels, "Travels to make")
-      ->check(whole_number)
-      ->capture_default_str();
-  simulate.add_option("--width", command.width, "Points of a grid from west to east")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  simulate.add_option("--height", command.height, "Points of a grid from north to south")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  simulate
+      .add_option("--travels", command.travels,
+                  "Travels to make [20; aces-like: the 14 of the log]")
+      ->check(whole_number);
+  simulate.add_option("--width", command.width, "Points of a grid from west to east [4]")
+      ->check(CLI::Range(1, 1000));
+  simulate
+      .add_option("--height", command.height,
+                  "Points of a grid from north to south [4; of an office 3]")
+      ->check(CLI::Range(1, 1000));
   simulate.add_option("--missing", command.missing, "Share of a grid's corridors that are missing")
       ->check(share)
       ->capture_default_str();
@@ -137,9 +162,10 @@ Same options, same bytes.)");
       ->capture_default_str();
   simulate.add_flag("--laps", command.laps, "Walk round a face instead of exploring");
   simulate.add_flag("--plain", command.plain, "Read every star from the world's first arm");
-  simulate.add_option("-o,--output", command.output, "Trace file; -: stdout")
+  simulate.add_option("-o,--output", command.output, "Trace file, or log; -: stdout")
       ->capture_default_str();
   simulate.add_option("--true-map", command.true_map, "Write the true map as a maps file");
+  add_simulated_drive(simulate, command);
   simulate.callback([&] { chosen = [&] { return simulate_command(command); }; });
 }
 

@@ -35,19 +35,26 @@ struct MapCommand {
 };
 
 struct SimulateCommand {
-  std::string world = "grid";  ///< or "corridors"
+  std::string world = "grid";           ///< or "corridors"
+  std::optional<std::string> building;  ///< "aces-like" or "office": scans of a drive, not a walk
   std::uint64_t seed = 0;
-  std::size_t travels = 20;
-  std::size_t width = 4;
-  std::size_t height = 4;
+  std::optional<std::size_t> travels;
+  std::optional<std::size_t> width;
+  std::optional<std::size_t> height;
   double missing = 0.2;
   double stubs = 0.1;
   std::size_t corridors = 7;
   bool laps = false;
   bool plain = false;  ///< arms as the world lists them
+  double turned_deg = 0;
+  bool mirrored = false;
+  std::size_t people = 2;
   std::string output = "-";
   std::optional<std::string> true_map;
+  std::optional<std::string> true_trace;
+  std::optional<std::string> svg;
 };
+inline constexpr std::size_t default_travels = 20;
 
 struct PerceiveCommand {
   std::string log;
@@ -63,6 +70,7 @@ struct PerceiveCommand {
 int map_command(const MapCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int simulate_command(const SimulateCommand& command);
+int simulate_drive(const SimulateCommand& command);  ///< where it has a building
 int axioms_command(const AxiomOptions& options);
 int validate_command(const std::vector<std::string>& files);
 std::string version_text();

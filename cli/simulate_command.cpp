@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "cli/options.hpp"
+#include "cli/true_map.hpp"
 #include "core/error.hpp"
 #include "io/maps_file.hpp"
 #include "io/trace_file.hpp"
@@ -15,8 +16,8 @@ namespace {
 
 World make_world(const SimulateCommand& command, RandomEngine& engine) {
   if (command.world == "corridors") return corridor_world({.corridors = command.corridors}, engine);
-  return grid_world({.width = command.width,
-                     .height = command.height,
+  return grid_world({.width = command.width.value_or(4),
+                     .height = command.height.value_or(4),
                      .missing = command.missing,
                      .stubs = command.stubs},
                     engine);
@@ -36,15 +37,19 @@ MapReport report_of(const Walk& walk) {
 
 }  // namespace
 
+void write_true_map(const std::string& file, const Walk& walk) {
+  write_maps_file(file, report_of(walk));
+}
+
 int simulate_command(const SimulateCommand& command) {
-  if (command.true_map == "-")
-    throw InputError("--true-map", "-", "a file, since stdout is the trace's");
+  if (command.true_map == "-") throw InputError("--true-map", "-", "a file, since stdout is taken");
+  if (command.building) return simulate_drive(command);
   RandomEngine engine(command.seed);
   Walk walked = [&] {
     try {
       const World world = make_world(command, engine);
       return walk(world,
-                  {.travels = command.travels,
+                  {.travels = command.travels.value_or(default_travels),
                    .policy = command.laps ? Policy::laps : Policy::explore,
                    .disguised = !command.plain},
                   engine);
@@ -57,7 +62,7 @@ int simulate_command(const SimulateCommand& command) {
     fmt::print("{}", trace_json(walked.trace));
   else
     write_trace_file(command.output, walked.trace);
-  if (command.true_map) write_maps_file(*command.true_map, report_of(walked));
+  if (command.true_map) write_true_map(*command.true_map, walked);
   return exit_consistent;
 }
 

@@ -25,6 +25,13 @@ inline bool chance(double probability, RandomEngine& engine) {
   return uniform(engine) < probability;
 }
 
+/// Mean 0, standard deviation 1: twelve uniform draws added up, near to normal and never beyond 6.
+inline double normal(RandomEngine& engine) {
+  double sum = -6;
+  for (int i = 0; i < 12; ++i) sum += uniform(engine);
+  return sum;
+}
+
 /// Uniform in 0 ... count - 1, for counts far below 2^53.   @pre count > 0
 inline std::size_t below(std::size_t count, RandomEngine& engine) {
   return static_cast<std::size_t>(uniform(engine) * static_cast<double>(count));

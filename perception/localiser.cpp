@@ -8,12 +8,6 @@ namespace {
 
 constexpr float kOccupied = 0.5F;  // log-odds from which a cell is taken for a wall
 
-// Standard normal, by Box and Muller.
-double normal(RandomEngine& random) {
-  const double radius = std::sqrt(-2 * std::log(1 - uniform(random)));
-  return radius * std::cos(2 * std::numbers::pi * uniform(random));
-}
-
 }  // namespace
 
 Localiser::Localiser(const LocaliserOptions& options, const Pose2& start)

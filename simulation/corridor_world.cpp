@@ -12,25 +12,21 @@ namespace {
 /// Crossings this flat would be hard to tell from a corridor that goes on.
 constexpr double min_sine_of_crossing = 0.35;
 
-WorldPoint operator+(WorldPoint a, WorldPoint b) { return {a.x_m + b.x_m, a.y_m + b.y_m}; }
-WorldPoint operator-(WorldPoint a, WorldPoint b) { return {a.x_m - b.x_m, a.y_m - b.y_m}; }
-WorldPoint operator*(double s, WorldPoint a) { return {s * a.x_m, s * a.y_m}; }
-double cross(WorldPoint a, WorldPoint b) { return a.x_m * b.y_m - a.y_m * b.x_m; }
-double dot(WorldPoint a, WorldPoint b) { return a.x_m * b.x_m + a.y_m * b.y_m; }
-double length(WorldPoint a) { return std::sqrt(dot(a, a)); }
+/// Without std::hypot, which differs between machines.
+double length(Point2 a) { return std::sqrt(dot(a, a)); }
 
 /// A corridor's middle line.
 struct Line {
-  WorldPoint start;
-  WorldPoint direction;  ///< unit
+  Point2 start;
+  Point2 direction;  ///< unit
   double length_m = 0;
   std::vector<std::pair<double, std::size_t>> points = {};  ///< distance from start [m], point
 };
 
 /// Uniform over directions, without the trigonometry that differs between machines.
-WorldPoint random_direction(RandomEngine& engine) {
+Point2 random_direction(RandomEngine& engine) {
   while (true) {
-    const WorldPoint point{between(-1, 1, engine), between(-1, 1, engine)};
+    const Point2 point{between(-1, 1, engine), between(-1, 1, engine)};
     const double radius = length(point);
     if (radius > 0.1 && radius <= 1) return (1 / radius) * point;
   }
@@ -39,12 +35,12 @@ WorldPoint random_direction(RandomEngine& engine) {
 Line random_line(const CorridorOptions& options, RandomEngine& engine) {
   const double x_m = between(0, options.side_m, engine);
   const double y_m = between(0, options.side_m, engine);
-  const WorldPoint direction = random_direction(engine);
+  const Point2 direction = random_direction(engine);
   const double length_m = between(options.min_length_m, options.max_length_m, engine);
-  return {WorldPoint{x_m, y_m} - (length_m / 2) * direction, direction, length_m};
+  return {Point2{x_m, y_m} - (length_m / 2) * direction, direction, length_m};
 }
 
-double distance_m(WorldPoint point, const Line& line) {
+double distance_m(Point2 point, const Line& line) {
   const double along_m = std::clamp(dot(point - line.start, line.direction), 0.0, line.length_m);
   return length(point - line.start - along_m * line.direction);
 }
@@ -53,7 +49,7 @@ double distance_m(WorldPoint point, const Line& line) {
 std::optional<double> crossing_m(const Line& line, const Line& other) {
   const double sine = cross(line.direction, other.direction);
   if (sine == 0) return std::nullopt;
-  const WorldPoint offset = other.start - line.start;
+  const Point2 offset = other.start - line.start;
   const double along_m = cross(offset, other.direction) / sine;
   const double along_other_m = cross(offset, line.direction) / sine;
   const bool is_on_both = along_m >= 0 && along_m <= line.length_m && along_other_m >= 0 &&
@@ -68,16 +64,16 @@ bool ends_are_clear(const Line& line, const Line& other, double clearance_m) {
 
 /// Whether `line` keeps its distance from the others and from every crossing.
 bool has_room(const Line& line, const std::vector<Line>& others,
-              const std::vector<WorldPoint>& crossings, double clearance_m) {
-  std::vector<WorldPoint> all = crossings;
+              const std::vector<Point2>& crossings, double clearance_m) {
+  std::vector<Point2> all = crossings;
   for (const Line& other : others) {
     if (!ends_are_clear(line, other, clearance_m) || !ends_are_clear(other, line, clearance_m))
       return false;
     const auto along_m = crossing_m(line, other);
     if (!along_m) continue;
     if (std::abs(cross(line.direction, other.direction)) < min_sine_of_crossing) return false;
-    const WorldPoint crossing = line.start + *along_m * line.direction;
-    for (const WorldPoint& point : all)
+    const Point2 crossing = line.start + *along_m * line.direction;
+    for (const Point2& point : all)
       if (length(crossing - point) < clearance_m) return false;
     all.push_back(crossing);
   }
@@ -94,7 +90,7 @@ End random_end(const CorridorOptions& options, RandomEngine& engine) {
 
 /// Gives a line that crosses others its two ends.
 Corridor finish(Line line, std::size_t number, const CorridorOptions& options,
-                std::vector<WorldPoint>& points, RandomEngine& engine) {
+                std::vector<Point2>& points, RandomEngine& engine) {
   std::sort(line.points.begin(), line.points.end());
   Corridor corridor{std::string("c").append(std::to_string(number)), line.direction, {}};
   for (const auto& [along_m, point] : line.points) corridor.points.push_back(point);
@@ -119,7 +115,7 @@ Corridor finish(Line line, std::size_t number, const CorridorOptions& options,
 World draw(const CorridorOptions& options, RandomEngine& engine) {
   constexpr int tries = 50;
   std::vector<Line> lines;
-  std::vector<WorldPoint> points;
+  std::vector<Point2> points;
   for (std::size_t i = 0; i < options.corridors; ++i) {
     Line line = random_line(options, engine);
     for (int n = 1; n < tries && !has_room(line, lines, points, options.clearance_m); ++n)
@@ -128,7 +124,7 @@ World draw(const CorridorOptions& options, RandomEngine& engine) {
     for (Line& other : lines) {
       const auto along_m = crossing_m(line, other);
       if (!along_m) continue;
-      const WorldPoint crossing = line.start + *along_m * line.direction;
+      const Point2 crossing = line.start + *along_m * line.direction;
       line.points.emplace_back(*along_m, points.size());
       other.points.emplace_back(length(crossing - other.start), points.size());
       points.push_back(crossing);

@@ -30,7 +30,7 @@ void add_corridors(const Corridor& line, const GridOptions& options, RandomEngin
 
 World draw(const GridOptions& options, RandomEngine& engine) {
   const auto [width, height] = std::pair(options.width, options.height);
-  std::vector<WorldPoint> points;
+  std::vector<Point2> points;
   for (std::size_t row = 0; row < height; ++row)
     for (std::size_t column = 0; column < width; ++column)
       points.push_back({options.pitch_m * static_cast<double>(column),

@@ -10,11 +10,6 @@
 namespace asterism {
 namespace {
 
-struct Route {
-  PlaceId start;
-  std::vector<PlaceArm> gateways;  ///< left by, in order
-};
-
 /// The gateways of a place that lead somewhere, clockwise after arm `after`, which comes last.
 std::vector<PlaceArm> ways_on(const World& world, PlaceArm after) {
   const Star& star = world.places[after.place.index()].star;
@@ -33,30 +28,6 @@ std::size_t weighted(const std::vector<double>& weights, RandomEngine& engine) {
     left -= weights[i];
   }
   return weights.size() - 1;
-}
-
-Route route_for(const World& world, const WalkOptions& options, RandomEngine& engine) {
-  Route route{PlaceId(below(world.places.size(), engine)), {}};
-  const std::size_t arms = world.places[route.start.index()].star.size();
-  PlaceArm facing_away{route.start, below(arms, engine)};
-  std::set<PlaceArm> used;
-  for (std::size_t k = 0; k < options.travels; ++k) {
-    const std::vector<PlaceArm> ways = ways_on(world, facing_away);
-    std::size_t choice = 0;
-    if (options.policy == Policy::explore) {
-      std::vector<double> weights;
-      for (const PlaceArm& way : ways) {
-        const bool is_back = k > 0 && way == facing_away;
-        weights.push_back(is_back ? options.turn_around
-                                  : (used.contains(way) ? 1.0 : options.unexplored));
-      }
-      choice = weighted(weights, engine);
-    }
-    route.gateways.push_back(ways[choice]);
-    facing_away = world.segments.at(ways[choice]);
-    used.insert({ways[choice], facing_away});
-  }
-  return route;
 }
 
 /// How one visit lists its star: from arm `first`, each local-path under a name of its own.
@@ -87,7 +58,50 @@ Listing disguise(const Star& star, RandomEngine& engine) {
   return {Star(std::move(arms)), first};
 }
 
-Walk tell(const World& world, const Route& route, bool disguised, RandomEngine& engine) {
+}  // namespace
+
+Route random_route(const World& world, const WalkOptions& options, RandomEngine& engine) {
+  Route route{PlaceId(below(world.places.size(), engine)), {}};
+  const std::size_t arms = world.places[route.start.index()].star.size();
+  PlaceArm facing_away{route.start, below(arms, engine)};
+  std::set<PlaceArm> used;
+  for (std::size_t k = 0; k < options.travels; ++k) {
+    const std::vector<PlaceArm> ways = ways_on(world, facing_away);
+    std::size_t choice = 0;
+    if (options.policy == Policy::explore) {
+      std::vector<double> weights;
+      for (const PlaceArm& way : ways) {
+        const bool is_back = k > 0 && way == facing_away;
+        weights.push_back(is_back ? options.turn_around
+                                  : (used.contains(way) ? 1.0 : options.unexplored));
+      }
+      choice = weighted(weights, engine);
+    }
+    route.gateways.push_back(ways[choice]);
+    facing_away = world.segments.at(ways[choice]);
+    used.insert({ways[choice], facing_away});
+  }
+  return route;
+}
+
+Route route_through(const World& world, std::span<const PlaceId> places) {
+  if (places.empty()) throw std::invalid_argument("found no places; expected at least one");
+  Route route{places.front(), {}};
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    const auto joins = [&](const auto& segment) {
+      return segment.first.place == places[k] && segment.second.place == places[k + 1];
+    };
+    const auto segment = std::find_if(world.segments.begin(), world.segments.end(), joins);
+    if (segment == world.segments.end())
+      throw std::invalid_argument("found no segment from place " +
+                                  std::to_string(places[k].index()) + " to place " +
+                                  std::to_string(places[k + 1].index()) + "; expected one");
+    route.gateways.push_back(segment->first);
+  }
+  return route;
+}
+
+Walk walk_along(const World& world, const Route& route, bool disguised, RandomEngine& engine) {
   Walk result;
   std::map<PlaceId, std::pair<PlaceId, std::size_t>> known;  ///< number and first arm listed
   std::optional<PlaceArm> entered;
@@ -115,29 +129,14 @@ Walk tell(const World& world, const Route& route, bool disguised, RandomEngine& 
   return result;
 }
 
-}  // namespace
-
 Walk walk(const World& world, const WalkOptions& options, RandomEngine& engine) {
-  const Route route = route_for(world, options, engine);
-  return tell(world, route, options.disguised, engine);
+  const Route route = random_route(world, options, engine);
+  return walk_along(world, route, options.disguised, engine);
 }
 
 Walk walk_through(const World& world, std::span<const PlaceId> places, bool disguised,
                   RandomEngine& engine) {
-  if (places.empty()) throw std::invalid_argument("found no places; expected at least one");
-  Route route{places.front(), {}};
-  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-    const auto joins = [&](const auto& segment) {
-      return segment.first.place == places[k] && segment.second.place == places[k + 1];
-    };
-    const auto segment = std::find_if(world.segments.begin(), world.segments.end(), joins);
-    if (segment == world.segments.end())
-      throw std::invalid_argument("found no segment from place " +
-                                  std::to_string(places[k].index()) + " to place " +
-                                  std::to_string(places[k + 1].index()) + "; expected one");
-    route.gateways.push_back(segment->first);
-  }
-  return tell(world, route, disguised, engine);
+  return walk_along(world, route_through(world, places), disguised, engine);
 }
 
 }  // namespace asterism

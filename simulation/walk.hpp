@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "core/random.hpp"
 #include "core/topological_map.hpp"
 #include "core/trace.hpp"
-#include "core/random.hpp"
 #include "simulation/world.hpp"
 
 namespace asterism {
@@ -25,6 +25,12 @@ struct WalkOptions {
   bool disguised = true;     ///< stars read from a random arm, with labels and signs of no meaning
 };
 
+/// Where to walk.
+struct Route {
+  PlaceId start;
+  std::vector<PlaceArm> gateways;  ///< left by, in order
+};
+
 /// A trace and the true data association, places numbered by first visit. The true map is
 /// make_map(trace, truth).
 struct Walk {
@@ -32,7 +38,18 @@ struct Walk {
   std::vector<Arrival> truth;
 };
 
-/// Walks from a random place. The first visit does not say how it was entered.
+/// A way from a random place.
+/// @pre  the world has segments
+Route random_route(const World& world, const WalkOptions& options, RandomEngine& engine);
+/// The way to the given places in order.
+/// @throws std::invalid_argument if two that follow one another are not joined by a segment
+Route route_through(const World& world, std::span<const PlaceId> places);
+
+/// What a robot sees and does that goes this way. The first visit does not say how it was entered.
+/// @param disguised  see WalkOptions
+Walk walk_along(const World& world, const Route& route, bool disguised, RandomEngine& engine);
+
+/// Walks a random route.
 /// @pre  the world has segments
 Walk walk(const World& world, const WalkOptions& options, RandomEngine& engine);
 

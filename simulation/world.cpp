@@ -10,18 +10,18 @@ namespace {
 
 /// One direction of a corridor, leaving a point.
 struct Departure {
-  WorldPoint direction;
+  Point2 direction;
   Arm arm;
   std::optional<std::size_t> reached;  ///< the next place, a point, if any
 };
 
-WorldPoint reversed(WorldPoint direction) { return {-direction.x_m, -direction.y_m}; }
+Point2 reversed(Point2 direction) { return {-direction.x_m, -direction.y_m}; }
 
 /// Clockwise as seen from above, from north.
-bool is_clockwise_before(WorldPoint a, WorldPoint b) {
-  const auto in_west = [](WorldPoint d) { return d.x_m < 0 || (d.x_m == 0 && d.y_m < 0); };
+bool is_clockwise_before(Point2 a, Point2 b) {
+  const auto in_west = [](Point2 d) { return d.x_m < 0 || (d.x_m == 0 && d.y_m < 0); };
   if (in_west(a) != in_west(b)) return in_west(b);
-  return a.x_m * b.y_m - a.y_m * b.x_m < 0;
+  return cross(a, b) < 0;
 }
 
 /// For each point: how many corridors leave it, and in how many directions.
@@ -94,7 +94,7 @@ std::set<std::size_t> largest_part(const Departures& from) {
 
 }  // namespace
 
-World make_world(const std::vector<WorldPoint>& points, const std::vector<Corridor>& corridors) {
+World make_world(const std::vector<Point2>& points, const std::vector<Corridor>& corridors) {
   const Departures from = departures(points.size(), corridors);
   World world;
   std::map<std::size_t, PlaceId> place_at;

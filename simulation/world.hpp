@@ -5,31 +5,26 @@
 #include <string>
 #include <vector>
 
+#include "core/pose2.hpp"
 #include "core/star.hpp"
 #include "core/topological_map.hpp"
 
 namespace asterism {
 
-/// A point or direction in the world's plane: x to the east, y to the north.
-struct WorldPoint {
-  double x_m = 0;
-  double y_m = 0;
-};
-
 /// A straight corridor through some of a world's points.
 struct Corridor {
   std::string label;                ///< names its local-paths
-  WorldPoint direction;             ///< of +; any length but 0
+  Point2 direction;                 ///< of +; any length but 0
   std::vector<std::size_t> points;  ///< in order along +
   bool stub_at_start = false;       ///< goes on beyond its first point, to nowhere
   bool stub_at_end = false;         ///< goes on beyond its last point, to nowhere
 };
 
-/// Places joined by segments, connected, in the plane. A gateway without a segment belongs to a
-/// blind stub: one could travel there, but it leads to nowhere.
+/// Places joined by segments, connected, in the plane: x to the east, y to the north. A gateway
+/// without a segment belongs to a blind stub: one could travel there, but it leads to nowhere.
 struct World {
   struct Place {
-    WorldPoint position;
+    Point2 position;
     Star star;
   };
   std::vector<Place> places;
@@ -42,7 +37,7 @@ struct World {
 /// with α = 0, as it would have gone on.                                       [DESIGN §1, §11]
 ///
 /// @pre  no two corridors share more than one point
-World make_world(const std::vector<WorldPoint>& points, const std::vector<Corridor>& corridors);
+World make_world(const std::vector<Point2>& points, const std::vector<Corridor>& corridors);
 
 /// Whether no path of the world meets a place twice: what straight corridors guarantee, and the
 /// axioms ask for.                                                                [DESIGN §5 (8)]

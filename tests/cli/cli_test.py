@@ -294,6 +294,52 @@ class Simulations(Folder):
                             run("simulate", "--seed", "6").stdout)
 
 
+class Drives(Folder):
+    def drive(self, *options):
+        self.log = self.folder / "drive.log"
+        self.trace = self.folder / "drive.trace.json"
+        return run("simulate", "--building", *options, "-o", self.log, "--true-trace", self.trace)
+
+    def test_the_log_has_the_scans_of_the_true_trace(self):
+        for building in ("aces-like", "office"):
+            with self.subTest(building=building):
+                svg, true = self.folder / "drive.svg", self.folder / "true.maps.json"
+                done = self.drive(building, "--seed", "3", "--svg", svg, "--true-map", true)
+                self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+                self.assertEqual(run("validate", self.trace, true).returncode, 0)
+                lines = self.log.read_text().splitlines()
+                self.assertIn("PARAM robot_front_laser_max 80 0 simulated 0", lines)
+                scans = [line.split() for line in lines if line.startswith("FLASER 180 ")]
+                self.assertEqual({len(scan) for scan in scans}, {2 + 180 + 9})
+                ranges = [float(word) for scan in scans for word in scan[2:182]]
+                self.assertTrue(0 < min(ranges) < max(ranges) == 80)
+                visits = json.loads(self.trace.read_text())["visits"]
+                self.assertEqual(visits[0]["scans"][0], 0)
+                self.assertEqual(visits[-1]["scans"][1], len(scans) - 1)
+                self.assertTrue(svg.read_text().startswith("<?xml"))
+
+    def test_same_seed_same_bytes(self):
+        logs = []
+        for options in (["--seed", "1"], ["--seed", "1"], ["--seed", "2"],
+                        ["--seed", "1", "--turned", "30"], ["--seed", "1", "--mirrored"],
+                        ["--seed", "1", "--people", "0"]):
+            self.drive("office", "--travels", "2", *options)
+            logs.append(self.log.read_bytes())
+        self.assertEqual(logs[0], logs[1])
+        self.assertEqual(len(set(logs)), 5)
+
+    def test_a_building_that_cannot_be(self):
+        done = self.drive("office", "--width", "1", "--height", "1")
+        self.assertEqual(done.returncode, 65)
+        self.assertRegex(done.stderr, r"^asterism: simulate: found no grid [^\n]+\n$")
+        self.assertFalse(self.log.exists())
+
+    def test_on_stdout(self):
+        done = run("simulate", "--building", "office", "--travels", "1")
+        self.drive("office", "--travels", "1")
+        self.assertEqual(done.stdout, self.log.read_text())
+
+
 class BadInput(Folder):
     def refused(self, code, *arguments):
         done = run(*arguments)
@@ -327,7 +373,9 @@ class BadInput(Folder):
                           ["map", ACES, "--why-not", "0,1", "--max-hypotheses", "1"],
                           ["map", ACES, "--why-not", "0,1", "--json", "-"],
                           ["simulate", "--travels", "-1"], ["simulate", "--missing", "nan"],
-                          ["simulate", "--world", "moon"], ["map", ACES, "--unknown"]):
+                          ["simulate", "--world", "moon"], ["simulate", "--building", "moon"],
+                          ["simulate", "--mirrored"], ["simulate", "--turned", "nan"],
+                          ["simulate", "--building", "office", "--world", "grid"], ["map", ACES, "--unknown"]):
             with self.subTest(arguments=arguments):
                 self.refused(64, *arguments)
 

@@ -1,6 +1,9 @@
 #include <algorithm>
 
 #include "planarity/euler.hpp"
+#include "simulation/drive.hpp"
+#include "simulation/office_building.hpp"
+#include "simulation/ring_building.hpp"
 #include "tests/engine/seeded_walk.hpp"
 #include "tests/support/catch.hpp"
 
@@ -35,6 +38,22 @@ TEST_CASE("the true map of a long walk is never dropped where it must be planar"
     const Walk walked = seeded_walk(seed, 13 + seed % 4);
     INFO(to_keep(seed, walked.trace));
     CHECK(contains(maps_of(tree_of(walked.trace, true)), walked.truth));
+  }
+}
+
+TEST_CASE("the true map of a drive through a building is never dropped", "[engine][property]") {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    RandomEngine engine(seed);
+    const bool is_ring = seed % 10 == 0;
+    const Building building = is_ring ? ring_building(engine) : office_building({}, engine);
+    const Route route = is_ring ? ring_route(building.world)
+                                : random_route(building.world, {.travels = 10}, engine);
+    const Drive drive(building, route, {}, seed);
+    const auto& [trace, truth] = drive.truth();
+    INFO(to_keep(seed, trace));
+    CHECK(contains(maps_of(tree_of(trace, false)), truth));
+    CHECK(contains(maps_of(tree_of(trace, true)), truth));
+    if (is_ring) CHECK(minimal_of(tree_of(trace, true)) == std::vector<Association>{truth});
   }
 }
 
