@@ -252,7 +252,9 @@ std::optional<DetectedVisit> ScanDetector::finish() {
   if (!place || stayed_in_place_s_ < options_.hold_s) return std::nullopt;
   const std::optional<Crossing> in = entered(*place, way_.size());
   if (!in && last_visit_) return std::nullopt;
-  return visit(*place, in, std::nullopt);
+  DetectedVisit last = visit(*place, in, std::nullopt);
+  forget();
+  return last;
 }
 
 }  // namespace asterism

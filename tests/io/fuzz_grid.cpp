@@ -15,7 +15,8 @@ using namespace asterism;
 const std::string png_of_2_by_1 = png({2, 1, 1, {0, 254}});
 
 std::string json(std::size_t width, std::size_t height) {
-  return "{ \"format\": \"asterism/grid\", \"version\": 1, \"resolution_m\": 0.1, \"origin\": [0, 0, "
+  return "{ \"format\": \"asterism/grid\", \"version\": 1, \"resolution_m\": 0.1, \"origin\": [0, "
+         "0, "
          "0],"
          " \"width\": " +
          std::to_string(width) + ", \"height\": " + std::to_string(height) +
