@@ -1,0 +1,183 @@
+#include "perception/free_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.hpp"
+#include "tests/support/catch.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr float kFree = -3.5F;
+constexpr float kWall = 3.5F;
+
+Grid filled(int width, int height, float value, double resolution_m = 0.1) {
+  Grid grid{.width = width, .height = height, .resolution_m = resolution_m};
+  grid.log_odds.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value);
+  return grid;
+}
+
+void fill(Grid& grid, Cell low, int columns, int rows, float value) {
+  for (int row = low.row; row < low.row + rows; ++row) {
+    for (int column = low.column; column < low.column + columns; ++column) {
+      grid.log_odds[grid.index({column, row})] = value;
+    }
+  }
+}
+
+// Exact in integers; none marked: nothing.
+std::vector<float> brute_force(const std::vector<std::uint8_t>& marked, int width) {
+  std::vector<float> squared(marked.size(), -1);
+  const auto columns = static_cast<std::size_t>(width);
+  for (std::size_t from = 0; from < marked.size(); ++from) {
+    for (std::size_t to = 0; to < marked.size(); ++to) {
+      if (!marked[to]) continue;
+      const auto right = static_cast<long>(from % columns) - static_cast<long>(to % columns);
+      const auto up = static_cast<long>(from / columns) - static_cast<long>(to / columns);
+      const auto own = static_cast<float>(right * right + up * up);
+      if (squared[from] < 0 || own < squared[from]) squared[from] = own;
+    }
+  }
+  return squared;
+}
+
+}  // namespace
+
+TEST_CASE("squared distances are those of brute force", "[perception][property]") {
+  RandomEngine random(1);
+  for (int picture = 0; picture < 600; ++picture) {
+    // Every third is a single line, lying or standing.
+    const int width = picture % 6 == 0 ? 1 : 1 + static_cast<int>(below(40, random));
+    const int height = picture % 6 == 3 ? 1 : 1 + static_cast<int>(below(40, random));
+    const double share = std::pow(uniform(random), 4);
+    std::vector<std::uint8_t> marked(static_cast<std::size_t>(width) *
+                                     static_cast<std::size_t>(height));
+    for (std::uint8_t& cell : marked) cell = chance(share, random);
+    const std::vector<float> fast = squared_distances(marked, width, height);
+    CAPTURE(picture, width, height, share);
+    if (std::count(marked.begin(), marked.end(), 1) > 0) {
+      REQUIRE(fast == brute_force(marked, width));
+    } else {
+      const float most = static_cast<float>(width * width + height * height);
+      REQUIRE(*std::min_element(fast.begin(), fast.end()) > most);
+    }
+  }
+}
+
+TEST_CASE("squared distances stay exact across a large empty grid", "[perception]") {
+  constexpr int width = 301;
+  constexpr int height = 299;
+  std::vector<std::uint8_t> marked(std::size_t{width} * height, 0);
+  marked.front() = 1;
+  const std::vector<float> squared = squared_distances(marked, width, height);
+  CHECK(squared.front() == 0);
+  CHECK(squared[width - 1] == 300 * 300);
+  CHECK(squared.back() == 300 * 300 + 298 * 298);
+}
+
+//   . . . . . . .
+//   . # # . . . .      a pillar in free space, `side` cells wide
+//   . # # . . . .
+//   . . . . . . .
+TEST_CASE("an island goes if it is surrounded and small", "[perception]") {
+  const float what = GENERATE(kWall, 0.0F);
+  const double resolution_m = GENERATE(0.05, 0.10);
+  const int most = resolution_m == 0.05 ? 20 : 10;  // cells in a metre
+  const FreeSpaceOptions options{.island_max_m = 1.0 + 1e-9};
+  CAPTURE(what, resolution_m);
+
+  for (const int side : {1, 5, most, most + 1, most + 5}) {
+    CAPTURE(side);
+    Grid grid = filled(60, 60, kFree, resolution_m);
+    // Deep enough not to be taken for a gap between beams.
+    fill(grid, {20, 25}, std::max(side, 5), 8, what);
+    const FreeSpace space = free_space(grid, options);
+    CHECK(space.is_free({22, 28}) == (side <= most));
+
+    // At the grid's edge it may go on.
+    Grid edge = filled(60, 60, kFree, resolution_m);
+    fill(edge, {20, 0}, std::max(side, 5), 5, what);
+    CHECK_FALSE(free_space(edge, options).is_free({22, 1}));
+  }
+}
+
+TEST_CASE("an island is what touches by corners too, and is measured as one", "[perception]") {
+  Grid grid = filled(60, 60, kFree);
+  for (int i = 0; i < 11; ++i) fill(grid, {20 + i, 20 + i}, 1, 1, kWall);  // 1.1 m across
+  CHECK_FALSE(free_space(grid).is_free({25, 25}));
+  grid.log_odds[grid.index({25, 25})] = kFree;  // now two of 0.5 m
+  CHECK(free_space(grid).is_free({24, 24}));
+  CHECK(free_space(grid).is_free({26, 26}));
+}
+
+TEST_CASE("random islands go exactly if they are small", "[perception][property]") {
+  RandomEngine random(2);
+  for (int world = 0; world < 100; ++world) {
+    Grid grid = filled(80, 80, kFree);
+    // One to a quarter of the grid, so that none touch.
+    struct Island {
+      Cell low;
+      int columns, rows;
+    };
+    std::vector<Island> islands;
+    for (const Cell corner : {Cell{2, 2}, Cell{42, 2}, Cell{2, 42}, Cell{42, 42}}) {
+      const Cell low{corner.column + static_cast<int>(below(10, random)),
+                     corner.row + static_cast<int>(below(10, random))};
+      islands.push_back(
+          {low, 1 + static_cast<int>(below(20, random)), 1 + static_cast<int>(below(20, random))});
+      fill(grid, low, islands.back().columns, islands.back().rows, kWall);
+    }
+    const FreeSpace space = free_space(grid, {.island_max_m = 0.95});
+    for (const auto& [low, columns, rows] : islands) {
+      CAPTURE(world, columns, rows);
+      REQUIRE(space.is_free(low) == (columns <= 9 && rows <= 9));
+    }
+  }
+}
+
+TEST_CASE("gaps between beams are filled, never through a wall", "[perception]") {
+  Grid grid = filled(40, 40, kFree);
+  fill(grid, {0, 20}, 40, 3, 0.0F);  // three cells deep: the middle one has free ones two away
+  CHECK(free_space(grid).is_free({20, 21}));
+  fill(grid, {0, 20}, 40, 5, 0.0F);
+  CHECK_FALSE(free_space(grid).is_free({20, 22}));
+  Grid wall = filled(40, 40, 0.0F);
+  fill(wall, {0, 0}, 40, 19, kFree);
+  fill(wall, {0, 19}, 40, 1, kWall);
+  fill(wall, {0, 21}, 40, 19, kFree);
+  CHECK_FALSE(free_space(wall).is_free({20, 20}));
+}
+
+TEST_CASE("a corridor of n cells has a clearance of half its width", "[perception]") {
+  const int n = GENERATE(1, 2, 3, 9, 10, 25, 26);
+  const bool walled = GENERATE(true, false);
+  CAPTURE(n, walled);
+  Grid grid = filled(100, 60, walled ? kWall : 0.0F);
+  fill(grid, {0, 15}, 100, n, kFree);
+  const FreeSpace space = free_space(grid);
+  double most_m = 0;
+  for (int row = 0; row < 60; ++row) most_m = std::max(most_m, space.clearance({50, row}));
+  // From a cell's middle: with an even number of cells none lies on the corridor's axis.
+  CHECK(most_m == Approx(0.1 * (n % 2 == 0 ? n / 2 - 0.5 : n / 2.0)).margin(1e-5));
+  CHECK(space.clearance({50, 15}) == Approx(0.05).margin(1e-5));
+  CHECK(space.clearance({50, 14}) == 0);
+  CHECK(space.clearance({-1, 15}) == 0);
+  CHECK(space.clearance({0, 15 + n / 2}) == Approx(0.05).margin(1e-5));  // outside is not free
+}
+
+TEST_CASE("cells are known from the log-odds asked for", "[perception]") {
+  Grid grid = filled(20, 20, 0.0F);
+  fill(grid, {0, 0}, 20, 10, -0.5F);
+  fill(grid, {0, 10}, 20, 5, 0.5F);
+  const FreeSpace low = free_space(grid, {.known = 0.5});
+  CHECK(low.at({5, 5}) == Occupancy::free);
+  CHECK(low.at({5, 12}) == Occupancy::occupied);
+  CHECK(low.at({5, 17}) == Occupancy::unknown);
+  CHECK(low.at({-1, 5}) == Occupancy::unknown);
+  const FreeSpace high = free_space(grid, {.known = 0.6});
+  CHECK(high.at({5, 5}) == Occupancy::unknown);
+  CHECK(high.at({5, 12}) == Occupancy::unknown);
+}
+
+}  // namespace asterism

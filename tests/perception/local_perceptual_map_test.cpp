@@ -1,0 +1,175 @@
+#include "perception/local_perceptual_map.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/random.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/room.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double log_odds(const Grid& grid, Point2 at) {
+  const Cell cell = grid.cell_at(at);
+  return grid.contains(cell) ? static_cast<double>(grid.log_odds[grid.index(cell)]) : 0;
+}
+
+// One beam straight ahead.
+Scan beam(double range_m, double max_range_m = 30) {
+  return {.ranges_m = {range_m}, .laser = {.max_range_m = max_range_m}};
+}
+
+}  // namespace
+
+TEST_CASE("a map begins unknown, the robot in its middle", "[perception]") {
+  const int cells = GENERATE(300, 101);
+  const LocalPerceptualMap map({.cells = cells});
+  const Grid& grid = map.grid();
+  CHECK(grid.width == cells);
+  CHECK(grid.height == cells);
+  CHECK(grid.cell_at({0.001, 0.001}) == Cell{cells / 2, cells / 2});
+  CHECK(grid.log_odds == std::vector<float>(grid.log_odds.size(), 0.0F));
+}
+
+//   robot ........... #      free up to the wall, occupied there, unknown behind
+//
+TEST_CASE("a return marks its wall and what it came through", "[perception]") {
+  const LpmOptions options;
+  LocalPerceptualMap map(options);
+  const double heading_rad = GENERATE(0.0, pi / 2, -pi / 2, pi, 0.3);
+  CAPTURE(heading_rad);
+  const Pose2 robot{0.05, 0.05, heading_rad};
+  map.update(beam(5.0), robot);
+  CHECK(log_odds(map.grid(), robot * Point2{5.0, 0}) == Approx(options.hit));
+  for (const double before_m : {0.0, 1.0, 4.0}) {
+    CHECK(log_odds(map.grid(), robot * Point2{before_m, 0}) == Approx(options.miss));
+  }
+  CHECK(log_odds(map.grid(), robot * Point2{5.3, 0}) == 0);
+  CHECK(log_odds(map.grid(), robot * Point2{3, 0.5}) == 0);
+}
+
+TEST_CASE("a beam without a return says nothing", "[perception]") {
+  LocalPerceptualMap map({});
+  map.update(beam(30, 30), {});
+  map.update(beam(31, 30), {});
+  CHECK(map.grid() == LocalPerceptualMap({}).grid());
+}
+
+TEST_CASE("a return from beyond the usable range frees space and marks no wall", "[perception]") {
+  const LpmOptions options{.usable_range_m = 8};
+  LocalPerceptualMap map(options);
+  map.update(beam(12), {0.05, 0.05, 0});
+  CHECK(log_odds(map.grid(), {7.5, 0.05}) == Approx(options.miss));
+  for (const float value : map.grid().log_odds) CHECK(value <= 0);
+  CHECK(log_odds(map.grid(), {8.5, 0.05}) == 0);
+}
+
+TEST_CASE("a return from outside the map frees the map up to its edge", "[perception]") {
+  const LpmOptions options{.cells = 100};  // 5 m to each side
+  LocalPerceptualMap map(options);
+  map.update(beam(12), {0.05, 0.05, 0});
+  CHECK(log_odds(map.grid(), {4.95, 0.05}) == Approx(options.miss));
+  for (const float value : map.grid().log_odds) CHECK(value <= 0);
+}
+
+TEST_CASE("a scan taken outside the map changes nothing inside", "[perception]") {
+  LocalPerceptualMap map({.cells = 100});
+  map.update(beam(3), {40, 40, 0});
+  CHECK(map.grid() == LocalPerceptualMap({.cells = 100}).grid());
+}
+
+TEST_CASE("log-odds stay within their bound, and what moved is forgotten", "[perception]") {
+  const LpmOptions options;
+  LocalPerceptualMap map(options);
+  const Pose2 robot{0.05, 0.05, 0};
+  for (int scan = 0; scan < 100; ++scan) map.update(beam(5.0), robot);
+  CHECK(log_odds(map.grid(), {5.05, 0.05}) == Approx(options.bound));
+  CHECK(log_odds(map.grid(), {2.05, 0.05}) == Approx(-options.bound));
+  int scans = 0;
+  while (log_odds(map.grid(), {5.05, 0.05}) > -0.3) {
+    map.update(beam(7.0), robot);
+    ++scans;
+  }
+  CHECK(scans == 8);  // (3.5 + 0.3) / 0.5 = 7.6
+}
+
+TEST_CASE("a cell counts once a scan, a return before a miss", "[perception]") {
+  const LpmOptions options;
+  LocalPerceptualMap map(options);
+  Scan scan = beam(5.0);
+  scan.ranges_m = {5.0, 5.0, 6.0, 5.0};  // all in one direction
+  map.update(scan, {0.05, 0.05, 0});
+  CHECK(log_odds(map.grid(), {5.05, 0.05}) == Approx(options.hit));
+  CHECK(log_odds(map.grid(), {6.05, 0.05}) == Approx(options.hit));
+  CHECK(log_odds(map.grid(), {3.05, 0.05}) == Approx(options.miss));
+}
+
+TEST_CASE("a room's walls are drawn where they are", "[perception]") {
+  const Room room{.width_m = 9, .height_m = 5};
+  LocalPerceptualMap map({});
+  for (int turn = 0; turn < 8; ++turn) {
+    const Pose2 robot{0.4, -0.6, wrapped(turn * pi / 4)};
+    map.update(room.scan(robot, turn), robot);
+  }
+  const Grid& grid = map.grid();
+  std::size_t walls = 0;
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      const float value = grid.log_odds[grid.index({column, row})];
+      const double off_m = room.inside_by(grid.centre({column, row}));
+      CAPTURE(column, row, value, off_m);
+      if (value > 0.3F) {
+        ++walls;
+        REQUIRE(std::abs(off_m) <= 0.11);
+      }
+      if (off_m > 0.2) REQUIRE(value < -0.3F);
+      if (off_m < -0.2) REQUIRE(value == 0);
+    }
+  }
+  CHECK(walls > 200);  // 28 m of walls
+}
+
+TEST_CASE("scrolling by whole cells loses nothing inside", "[perception][property]") {
+  RandomEngine random(1);
+  for (int world = 0; world < 40; ++world) {
+    LocalPerceptualMap map({.cells = 60 + static_cast<int>(below(3, random))});
+    const Room room{.width_m = 4.1, .height_m = 3.1};  // walls amid cells
+    const Pose2 robot{between(-1, 1, random), between(-1, 1, random), between(-pi, pi, random)};
+    map.update(room.scan(robot, 0), robot);
+    const Grid before = map.grid();
+    const double far_m = world % 4 == 0 ? 20 : 4;
+    const Point2 to{between(-far_m, far_m, random), between(-far_m, far_m, random)};
+    map.scroll_to(to);
+    const Grid& after = map.grid();
+    CAPTURE(world, to.x_m, to.y_m);
+    REQUIRE(after.cell_at(to) == Cell{after.width / 2, after.height / 2});
+    // What both windows hold is the same, what came in is unknown.
+    for (int row = 0; row < after.height; ++row) {
+      for (int column = 0; column < after.width; ++column) {
+        const Point2 centre = after.centre({column, row});
+        REQUIRE(static_cast<double>(after.log_odds[after.index({column, row})]) ==
+                log_odds(before, centre));
+      }
+    }
+    // The frame stays: another look draws the same walls in the same cells.
+    if (norm(to) > 1.5) continue;
+    LocalPerceptualMap fresh({.cells = after.width});
+    fresh.scroll_to(to);
+    fresh.update(room.scan(robot, 0), robot);
+    const bool equal = fresh.grid().log_odds == after.log_odds;
+    REQUIRE(equal);
+  }
+}
+
+TEST_CASE("scrolling within the central cell moves nothing", "[perception]") {
+  LocalPerceptualMap map({});
+  map.update(beam(5), {});
+  const Grid before = map.grid();
+  map.scroll_to({0.09, 0.01});
+  CHECK(map.grid() == before);
+}
+
+}  // namespace asterism
