@@ -8,8 +8,9 @@ namespace {
 
 constexpr double kStep_m = 0.05;  // the way keeps no points closer than this
 constexpr std::size_t kLongestWay = 8000;
-constexpr double kAside_m = 1.0;  // how far beside a gateway's ends one is still beyond it
-constexpr double kSameHeading_rad = 0.6;
+constexpr double kAside_m = 1.0;          // how far beside a gateway's ends one is still beyond it
+constexpr double kSameHeading_rad = 0.6;  // how far gateways seen twice may differ
+constexpr double kSameSpot_m = 2.0;
 constexpr double kLost_m = 10;        // farther from where a place was seen, one is not in it
 constexpr double kLongestScan_s = 1;  // a gap in the log counts as no more time than this
 
@@ -29,7 +30,7 @@ const std::vector<Gateway>& gateways_of(const LocalTopology& topology) {
   return topology.neighbourhood->gateways;
 }
 
-// Whether two looks saw the same star, arm by arm in the same directions.
+// Whether two looks saw the same star at the same spot, arm by arm in the same directions.
 bool same_star(const LocalTopology& a, const LocalTopology& b) {
   const std::size_t gateways = gateways_of(a).size();
   if (gateways != gateways_of(b).size() || a.star->star.size() != b.star->star.size()) return false;
@@ -41,8 +42,10 @@ bool same_star(const LocalTopology& a, const LocalTopology& b) {
     for (std::size_t j = 1; j < gateways; ++j) {
       if (off(j) < off(match)) match = j;
     }
-    if (off(match) > kSameHeading_rad || a.star->star.view(a.star->arm_of_gateway[i]) !=
-                                             b.star->star.view(b.star->arm_of_gateway[match])) {
+    if (off(match) > kSameHeading_rad ||
+        norm(gateways_of(a)[i].middle - gateways_of(b)[match].middle) > kSameSpot_m ||
+        a.star->star.view(a.star->arm_of_gateway[i]) !=
+            b.star->star.view(b.star->arm_of_gateway[match])) {
       return false;
     }
   }

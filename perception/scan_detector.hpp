@@ -33,7 +33,7 @@ struct ScanDetectorOptions {
   double memory_s = 10;       ///< ... a later look, which knows more, outweighs an earlier one
   double explored = 0.12;     ///< ... with no more than this share of the border unknown
   double leave_m = 2.0;       ///< so far out of a gateway the robot has left; nearer is a poke
-  double turn_off_rad = 0.8;  ///< a place driven through counts if the robot turned off there
+  double turn_off_rad = 1.1;  ///< a place driven through counts if the robot turned off there
 };
 
 /// The detector that ships: local perceptual map, localisation, gateways, stars.
