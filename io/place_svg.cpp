@@ -142,13 +142,14 @@ std::string drawn(const PlacePicture& picture, double side_px) {
 }
 
 // A picture under its title, its contents cut at the frame.
-std::string framed(const PlacePicture& picture, Point2 at, double side_px, std::size_t number) {
+std::string framed(const PlacePicture& picture, const std::string& title, Point2 at, double side_px,
+                   std::size_t number) {
   return fmt::format(
       "<g transform=\"translate({0:.0f} {1:.0f})\">\n<text x=\"4\" y=\"18\">{2}</text>\n"
       "<g transform=\"translate(0 {3:.0f})\"><clipPath id=\"frame-{4}\"><rect width=\"{5:.0f}\" "
       "height=\"{5:.0f}\"/></clipPath>\n<g clip-path=\"url(#frame-{4})\">\n"
       "<g transform=\"scale({6:.4f})\">\n{7}</g></g></g></g>\n",
-      at.x_m, at.y_m, xml_text(picture.title), kHead_px, number, side_px, side_px / kPlace_px,
+      at.x_m, at.y_m, xml_text(title), kHead_px, number, side_px, side_px / kPlace_px,
       drawn(picture, kPlace_px));
 }
 
@@ -156,13 +157,14 @@ std::string framed(const PlacePicture& picture, Point2 at, double side_px, std::
 
 std::string place_svg(const PlacePicture& picture) {
   return svg_document(kPlace_px, kPlace_px + kHead_px, picture.title,
-                      framed(picture, {}, kPlace_px, 0));
+                      framed(picture, picture.title, {}, kPlace_px, 0));
 }
 
 std::string strip_svg(const std::vector<PlacePicture>& pictures, const std::string& title) {
   std::string body;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    body += framed(pictures[i],
+    // There is room for what stands before the star.
+    body += framed(pictures[i], pictures[i].title.substr(0, pictures[i].title.find(':')),
                    {static_cast<double>(i % kAcross) * (kThumb_px + 10),
                     static_cast<double>(i / kAcross) * (kThumb_px + kHead_px + 10)},
                    kThumb_px, i);
