@@ -190,7 +190,7 @@ go on, 70 internal fault or a result that cannot be written.)");
            ->type_name("DIR");
   CLI::Option& library =
       *perceive
-           .add_option("--detector", command.library,
+           .add_option("--detector", command.plugin,
                        "Shared library of a place detector; see docs/detectors.md")
            ->type_name("LIB");
   CLI::Option& program =

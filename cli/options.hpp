@@ -60,7 +60,7 @@ struct PerceiveCommand {
   std::string log;
   std::string output = "-";
   std::optional<std::string> plots_folder;
-  std::optional<std::string> library;  ///< detector instead of the one that ships
+  std::optional<std::string> plugin;   ///< detector instead of the one that ships
   std::optional<std::string> program;  ///< the same
   LogOptions laser;
   ScanDetectorOptions detector;

@@ -80,8 +80,8 @@ std::string row(std::size_t number, const Visit& visit) {
 class Run {
  public:
   explicit Run(const PerceiveCommand& command) : command_(command) {
-    if (command.library) {
-      detector_ = load_detector(*command.library);
+    if (command.plugin) {
+      detector_ = load_detector(*command.plugin);
     } else if (command.program) {
       detector_ = command_detector({*command.program}, scan_line, read_visit_line);
     } else {
