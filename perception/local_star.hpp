@@ -18,8 +18,9 @@ struct LocalStar {
   std::vector<std::size_t> arm_of_gateway = {};  ///< arm of `star` that leads out of each gateway
 };
 
-/// Arms clockwise, from the first gateway clockwise of the grid's +x; labels a, b, ... in order of
-/// first arms. Two gateways are one path iff the inward ray from each midpoint crosses the other.
+/// Arms clockwise, from the first ray clockwise of +x as seen from the gateways' middle; labels a,
+/// b, ... in order of first arms. Two gateways are one path iff the inward ray from each midpoint
+/// crosses the other.
 /// @pre  at least one gateway
 LocalStar local_star(const std::vector<Gateway>& gateways, const LocalStarOptions& options = {});
 

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <deque>
-#include <functional>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "perception/local_perceptual_map.hpp"
