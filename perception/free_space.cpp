@@ -2,77 +2,99 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace asterism {
 namespace {
 
-constexpr int kGap = 2;  // cells
+using Word = BitRows::Word;
 
-// Takes out the islands: 8-connected pieces of what is not free that touch no edge of the grid.
-void take_out_islands(FreeSpace& space, double island_max_m) {
-  const Grid& frame = space.frame;
-  std::vector<std::uint8_t> seen(space.cells.size(), 0);
-  std::vector<Cell> piece;
-  for (int row = 0; row < frame.height; ++row) {
-    for (int column = 0; column < frame.width; ++column) {
-      const std::size_t at = frame.index({column, row});
-      if (seen[at] || space.cells[at] == Occupancy::free) continue;
-      seen[at] = 1;
-      piece.assign(1, {column, row});
-      Cell low{column, row};
-      Cell high = low;
-      for (std::size_t next = 0; next < piece.size(); ++next) {
-        const Cell cell = piece[next];
-        low = {std::min(low.column, cell.column), std::min(low.row, cell.row)};
-        high = {std::max(high.column, cell.column), std::max(high.row, cell.row)};
-        for (int up = -1; up <= 1; ++up) {
-          for (int right = -1; right <= 1; ++right) {
-            const Cell other{cell.column + right, cell.row + up};
-            if (!frame.contains(other)) continue;
-            const std::size_t there = frame.index(other);
-            if (seen[there] || space.cells[there] == Occupancy::free) continue;
-            seen[there] = 1;
-            piece.push_back(other);
-          }
-        }
+// What is known of each cell.
+void classify(const Grid& grid, float known, BitRows& free, BitRows& occupied) {
+  for (int row = 0; row < grid.height; ++row) {
+    for (int i = 0; i < free.words(); ++i) {
+      const float* const log_odds = grid.log_odds.data() + grid.index({64 * i, row});
+      const int cells = std::min(64, grid.width - 64 * i);
+      Word is_free = 0;
+      Word is_occupied = 0;
+      for (int bit = 0; bit < cells; ++bit) {
+        is_free |= Word{log_odds[bit] <= -known} << bit;
+        is_occupied |= Word{log_odds[bit] >= known} << bit;
       }
-      const bool at_edge = low.column == 0 || low.row == 0 || high.column == frame.width - 1 ||
-                           high.row == frame.height - 1;
-      const double across_m =
-          frame.resolution_m * (std::max(high.column - low.column, high.row - low.row) + 1);
-      if (at_edge || across_m > island_max_m) continue;
-      for (const Cell cell : piece) space.cells[frame.index(cell)] = Occupancy::free;
+      free.word(row, i) = is_free;
+      occupied.word(row, i) = is_occupied;
     }
   }
 }
 
-// Unknown cells with free ones close by on two opposite sides are gaps between beams: free.
-void fill_gaps(FreeSpace& space) {
-  const Grid& frame = space.frame;
-  const std::vector<Occupancy> seen = space.cells;
-  const auto free_towards = [&](Cell cell, int right, int up) {
-    for (int step = 1; step <= kGap; ++step) {
-      const Cell next{cell.column + step * right, cell.row + step * up};
-      if (!frame.contains(next) || seen[frame.index(next)] == Occupancy::occupied) return false;
-      if (seen[frame.index(next)] == Occupancy::free) return true;
-    }
-    return false;
+// Unknown cells with free ones at most two cells away on two opposite sides, nothing occupied
+// between, are gaps between beams: free.
+void fill_gaps(BitRows& free, const BitRows& occupied) {
+  // Cells that are free, or unknown with a free one next to them, in one direction.
+  const auto reached = [&](int row, int i, int right, int up) {
+    if (row < 0 || row >= free.height() || i < 0 || i >= free.words()) return Word{0};
+    const Word unknown = ~free.word(row, i) & ~occupied.word(row, i) & free.inside(i);
+    const Word next = right == 0   ? free.word(row + up, i)
+                      : right == 1 ? free.east_of(row + up, i)
+                                   : free.west_of(row + up, i);
+    return free.word(row, i) | (unknown & next);
+  };
+  const auto towards = [&](int row, int i, int right, int up) {
+    const Word own = reached(row + up, i, right, up);
+    if (right == 0) return own;
+    const Word beside = reached(row + up, i + right, right, up);
+    return right == 1 ? own >> 1U | beside << 63U : own << 1U | beside >> 63U;
   };
   constexpr std::array<std::array<int, 2>, 4> lines{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
-  for (int row = 0; row < frame.height; ++row) {
-    for (int column = 0; column < frame.width; ++column) {
-      const Cell cell{column, row};
-      Occupancy& own = space.cells[frame.index(cell)];
-      if (own != Occupancy::unknown) continue;
+  BitRows filled = free;
+  for (int row = 0; row < free.height(); ++row) {
+    for (int i = 0; i < free.words(); ++i) {
+      const Word unknown = ~free.word(row, i) & ~occupied.word(row, i) & free.inside(i);
+      if (unknown == 0) continue;
+      Word gaps = 0;
       for (const auto& [right, up] : lines) {
-        if (free_towards(cell, right, up) && free_towards(cell, -right, -up)) {
-          own = Occupancy::free;
-          break;
-        }
+        gaps |= towards(row, i, right, up) & towards(row, i, -right, -up);
       }
+      filled.word(row, i) |= unknown & gaps;
     }
+  }
+  free = std::move(filled);
+}
+
+// Takes out the islands: 8-connected pieces of what is not free that touch no edge of the grid.
+void take_out_islands(BitRows& free, BitRows& occupied, double resolution_m, double island_max_m) {
+  BitRows others(free.width(), free.height());
+  for (int row = 0; row < free.height(); ++row) {
+    for (int i = 0; i < free.words(); ++i) {
+      others.word(row, i) = ~free.word(row, i) & free.inside(i);
+    }
+  }
+  const Pieces pieces(others, Pieces::Touch::corners);
+  struct Extent {
+    Cell low = {INT_MAX, INT_MAX};
+    Cell high = {-1, -1};
+  };
+  std::vector<Extent> extents(pieces.count());
+  for (const Pieces::Run& run : pieces.runs()) {
+    auto& [low, high] = extents[run.piece];
+    low = {std::min(low.column, run.first), std::min(low.row, run.row)};
+    high = {std::max(high.column, run.past - 1), std::max(high.row, run.row)};
+  }
+  const auto is_island = [&](const Extent& extent) {
+    const auto& [low, high] = extent;
+    const bool at_edge = low.column == 0 || low.row == 0 || high.column == free.width() - 1 ||
+                         high.row == free.height() - 1;
+    const int across = std::max(high.column - low.column, high.row - low.row) + 1;
+    return !at_edge && resolution_m * across <= island_max_m;
+  };
+  for (const Pieces::Run& run : pieces.runs()) {
+    if (is_island(extents[run.piece])) free.set_run(run.row, run.first, run.past);
+  }
+  for (int row = 0; row < free.height(); ++row) {
+    for (int i = 0; i < free.words(); ++i) occupied.word(row, i) &= ~free.word(row, i);
   }
 }
 
@@ -81,106 +103,99 @@ void fill_gaps(FreeSpace& space) {
 class Envelope {
  public:
   explicit Envelope(int longest)
-      : apex_(static_cast<std::size_t>(longest)), from_(static_cast<std::size_t>(longest) + 1) {}
+      : f_(static_cast<std::size_t>(longest)),
+        apex_(static_cast<std::size_t>(longest)),
+        from_(static_cast<std::size_t>(longest) + 1) {}
 
-  template <typename Read, typename Write>
-  void transform(int count, Read f, Write write) {
-    int last = -1;
-    for (int q = 0; q < count; ++q) {
+  float& f(int q) { return f_[static_cast<std::size_t>(q)]; }
+
+  // Transforms f(0) to f(count - 1) and writes all but the first and the last.
+  void transform(int count, float* inner) {
+    std::size_t last = 0;
+    apex_[0] = 0;
+    from_[0] = -1e9F;
+    for (int q = 1; q < count; ++q) {
       const float own = f(q) + static_cast<float>(q * q);
       float start = 0;
-      while (last >= 0) {
-        const int p = apex_[static_cast<std::size_t>(last)];
+      for (;; --last) {
+        const int p = apex_[last];
         start = (own - f(p) - static_cast<float>(p * p)) / static_cast<float>(2 * (q - p));
-        if (start > from_[static_cast<std::size_t>(last)]) break;
-        --last;
+        if (start > from_[last]) break;
       }
       ++last;
-      apex_[static_cast<std::size_t>(last)] = q;
-      from_[static_cast<std::size_t>(last)] = last == 0 ? -1e9F : start;
+      apex_[last] = q;
+      from_[last] = start;
     }
-    int at = 0;
-    for (int q = 0; q < count; ++q) {
-      while (at < last && from_[static_cast<std::size_t>(at) + 1] < static_cast<float>(q)) ++at;
-      const int p = apex_[static_cast<std::size_t>(at)];
-      write(q, static_cast<float>((q - p) * (q - p)) + f(p));
+    from_[last + 1] = static_cast<float>(count);
+    std::size_t at = 0;
+    for (int q = 1; q + 1 < count; ++q) {
+      while (from_[at + 1] < static_cast<float>(q)) ++at;
+      const int p = apex_[at];
+      inner[q - 1] = static_cast<float>((q - p) * (q - p)) + f(p);
     }
   }
 
  private:
+  std::vector<float> f_;
   std::vector<int> apex_;
   std::vector<float> from_;
 };
 
-}  // namespace
+// Each run of set cells is a line of its own: of what lies beyond the cells at its ends nothing is
+// nearer than those.
+std::vector<float> squared_distances(int width, int height, const std::vector<Pieces::Run>& runs) {
+  const auto index = [width](int row, int column) {
+    return static_cast<std::size_t>(row * width + column);
+  };
+  // Along the columns two sweeps over the set cells do.
+  std::vector<float> squared(index(height, 0), 0);
+  const auto sweep = [&](const Pieces::Run& run, int from, bool shorten) {
+    for (int column = run.first; column < run.past; ++column) {
+      const bool outside = from < 0 || from >= height;
+      const float away = 1 + (outside ? 0 : squared[index(from, column)]);
+      float& own = squared[index(run.row, column)];
+      own = shorten ? std::min(own, away) : away;
+    }
+  };
+  for (auto run = runs.begin(); run != runs.end(); ++run) sweep(*run, run->row - 1, false);
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run) sweep(*run, run->row + 1, true);
 
-std::vector<float> squared_distances(const std::vector<std::uint8_t>& marked, int width,
-                                     int height) {
-  const auto columns = static_cast<std::size_t>(width);
-  const float none = static_cast<float>(2 * (width + height)) * static_cast<float>(width + height);
-  std::vector<float> squared(marked.size());
-  // Along the rows two sweeps do.
-  for (int row = 0; row < height; ++row) {
-    const std::size_t start = static_cast<std::size_t>(row) * columns;
-    int away = width + height;
-    for (std::size_t i = start; i < start + columns; ++i) {
-      away = marked[i] ? 0 : away + 1;
-      squared[i] = away > width ? none : static_cast<float>(away * away);
-    }
-    away = width + height;
-    for (std::size_t i = start + columns; i-- > start;) {
-      away = marked[i] ? 0 : away + 1;
-      if (away <= width) squared[i] = std::min(squared[i], static_cast<float>(away * away));
-    }
-  }
-  Envelope envelope(height);
-  std::vector<float> line(static_cast<std::size_t>(height));
-  for (std::size_t column = 0; column < columns; ++column) {
-    for (std::size_t row = 0; row < line.size(); ++row) line[row] = squared[row * columns + column];
-    envelope.transform(
-        height, [&](int q) { return line[static_cast<std::size_t>(q)]; },
-        [&](int q, float value) {
-          squared[static_cast<std::size_t>(q) * columns + column] = value;
-        });
+  Envelope envelope(width + 2);
+  for (const Pieces::Run& run : runs) {
+    const int count = run.past - run.first;
+    float* const line = squared.data() + index(run.row, run.first);
+    envelope.f(0) = 0;
+    for (int i = 0; i < count; ++i) envelope.f(i + 1) = line[i] * line[i];
+    envelope.f(count + 1) = 0;
+    envelope.transform(count + 2, line);
   }
   return squared;
 }
 
-FreeSpace free_space(const Grid& grid, const FreeSpaceOptions& options) {
-  FreeSpace space;
-  space.frame = {.width = grid.width,
-                 .height = grid.height,
-                 .resolution_m = grid.resolution_m,
-                 .frame_from_grid = grid.frame_from_grid};
-  space.cells.reserve(grid.log_odds.size());
-  const auto known = static_cast<float>(options.known);
-  for (const float log_odds : grid.log_odds) {
-    space.cells.push_back(log_odds <= -known  ? Occupancy::free
-                          : log_odds >= known ? Occupancy::occupied
-                                              : Occupancy::unknown);
-  }
-  fill_gaps(space);
-  take_out_islands(space, options.island_max_m);
+}  // namespace
 
-  // One cell more on each side, marked: what lies outside is not free.
-  const int width = grid.width + 2;
-  const int height = grid.height + 2;
-  std::vector<std::uint8_t> blocked(
-      static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 1);
-  const auto inner = [&](std::size_t at) {
-    const auto columns = static_cast<std::size_t>(grid.width);
-    return (at / columns + 1) * static_cast<std::size_t>(width) + at % columns + 1;
-  };
-  for (std::size_t at = 0; at < space.cells.size(); ++at) {
-    if (space.cells[at] == Occupancy::free) blocked[inner(at)] = 0;
-  }
-  const std::vector<float> squared = squared_distances(blocked, width, height);
-  space.clearance_m.resize(space.cells.size(), 0);
-  for (std::size_t at = 0; at < space.cells.size(); ++at) {
-    if (space.cells[at] != Occupancy::free) continue;
-    space.clearance_m[at] =
-        (std::sqrt(squared[inner(at)]) - 0.5F) * static_cast<float>(grid.resolution_m);
-  }
+std::vector<float> squared_distances(const BitRows& picture) {
+  const Pieces pieces(picture, Pieces::Touch::sides);
+  return squared_distances(picture.width(), picture.height(), pieces.runs());
+}
+
+FreeSpace free_space(const Grid& grid, const FreeSpaceOptions& options) {
+  FreeSpace space{.frame = {.width = grid.width,
+                            .height = grid.height,
+                            .resolution_m = grid.resolution_m,
+                            .frame_from_grid = grid.frame_from_grid},
+                  .free = BitRows(grid.width, grid.height),
+                  .occupied = BitRows(grid.width, grid.height)};
+  classify(grid, static_cast<float>(options.known), space.free, space.occupied);
+  fill_gaps(space.free, space.occupied);
+  take_out_islands(space.free, space.occupied, grid.resolution_m, options.island_max_m);
+
+  space.clearance_m = squared_distances(space.free);
+  const auto resolution_m = static_cast<float>(grid.resolution_m);
+  space.free.for_each([&](Cell cell) {
+    float& clearance_m = space.clearance_m[grid.index(cell)];
+    clearance_m = (std::sqrt(clearance_m) - 0.5F) * resolution_m;
+  });
   return space;
 }
 

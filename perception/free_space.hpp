@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
+#include "perception/bit_rows.hpp"
 
 namespace asterism {
 
@@ -13,14 +14,17 @@ enum class Occupancy : std::uint8_t { unknown, free, occupied };
 /// that is not free. Cells outside the grid are unknown.
 struct FreeSpace {
   Grid frame = {};  ///< size, resolution and pose of the grid; holds no values
-  std::vector<Occupancy> cells = {};
+  BitRows free = {};
+  BitRows occupied = {};
   std::vector<float> clearance_m =
       {};  ///< from a free cell's middle to the nearest other cell's rim
 
+  bool is_free(Cell cell) const { return free.has(cell); }
   Occupancy at(Cell cell) const {
-    return frame.contains(cell) ? cells[frame.index(cell)] : Occupancy::unknown;
+    return is_free(cell)        ? Occupancy::free
+           : occupied.has(cell) ? Occupancy::occupied
+                                : Occupancy::unknown;
   }
-  bool is_free(Cell cell) const { return at(cell) == Occupancy::free; }
   /// r_p of [BMK10, §5.1.1]; 0 where not free.
   double clearance(Cell cell) const {
     return frame.contains(cell) ? static_cast<double>(clearance_m[frame.index(cell)]) : 0;
@@ -37,9 +41,9 @@ struct FreeSpaceOptions {
 /// §5.1.1]
 FreeSpace free_space(const Grid& grid, const FreeSpaceOptions& options = {});
 
-/// Squared distance, in cells, from each cell's middle to the nearest marked cell's middle; exact,
-/// in linear time [FH12]. Where nothing is marked: above width² + height².
-std::vector<float> squared_distances(const std::vector<std::uint8_t>& marked, int width,
-                                     int height);
+/// Squared distance, in cells, from each set cell's middle to the middle of the nearest that is not
+/// set, those outside the picture among them; 0 where not set. Exact, in linear time [FH12]. Row by
+/// row, as a grid.
+std::vector<float> squared_distances(const BitRows& picture);
 
 }  // namespace asterism

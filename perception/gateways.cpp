@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "perception/sight_lines.hpp"
+
 namespace asterism {
 namespace {
 
@@ -18,7 +20,8 @@ constexpr double kBorder_m = 0.15;    // how far beyond a core's disc its border
 
 class Finder {
  public:
-  Finder(const FreeSpace& space, const Skeleton& skeleton) : space_(space), skeleton_(skeleton) {}
+  Finder(const FreeSpace& space, const Skeleton& skeleton)
+      : space_(space), skeleton_(skeleton), sight_lines_(space) {}
 
   std::optional<Neighbourhood> find(Point2 robot) {
     const std::optional<std::size_t> nearest = nearest_to(robot);
@@ -85,7 +88,7 @@ class Finder {
       const int steps = static_cast<int>(2 * std::numbers::pi * radius_m / 0.05);
       for (int step = 0; step < steps; ++step) {
         const Point2 rim = at(f) + radius_m * unit_vector(2 * std::numbers::pi * step / steps);
-        const Occupancy there = space_.at(space_.frame.cell_at(rim));
+        const Occupancy there = space_.at(sight_lines_.cell_at(rim));
         unknown += there == Occupancy::unknown;
         ++all;
       }
@@ -232,7 +235,7 @@ class Finder {
     const Point2 left{-along.y_m, along.x_m};
     for (const double side : {1.0, -1.0}) {
       const double length_m = free_length(gateway.middle, side * left, 2 * gateway.width_m);
-      const Cell end = space_.frame.cell_at(gateway.middle + (side * length_m) * left);
+      const Cell end = sight_lines_.cell_at(gateway.middle + (side * length_m) * left);
       bool wall = false;
       for (int up = -kWall; up <= kWall; ++up) {
         for (int right = -kWall; right <= kWall; ++right) {
@@ -245,16 +248,14 @@ class Finder {
   }
 
   double free_length(Point2 from, Point2 along, double most_m) const {
-    const double step_m = 0.5 * space_.frame.resolution_m;
-    double length_m = 0;
-    while (length_m < most_m && space_.is_free(space_.frame.cell_at(from + length_m * along))) {
-      length_m += step_m;
-    }
-    return length_m;
+    const double step_m = sight_lines_.step_m();
+    const int most = static_cast<int>(most_m / step_m) + 1;
+    return step_m * sight_lines_.free_steps(from, along, most);
   }
 
   const FreeSpace& space_;
   const Skeleton& skeleton_;
+  SightLines sight_lines_;
   std::vector<bool> inside_{};
 };
 

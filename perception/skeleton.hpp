@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,12 +18,28 @@ struct SkeletonOptions {
   double exit_share = 0.7;    ///< an exit opens to the unknown over this share of a gateway's width
 };
 
+/// Points next to one point of the skeleton: at most eight.
+class Neighbours {
+ public:
+  void add(std::size_t point) { points_[size_++] = static_cast<std::uint32_t>(point); }
+  bool has(std::size_t point) const { return std::find(begin(), end(), point) != end(); }
+  std::size_t size() const noexcept { return size_; }
+  bool empty() const noexcept { return size_ == 0; }
+  std::size_t operator[](std::size_t i) const { return points_[i]; }
+  const std::uint32_t* begin() const noexcept { return points_.data(); }
+  const std::uint32_t* end() const noexcept { return points_.data() + size_; }
+
+ private:
+  std::array<std::uint32_t, 8> points_{};
+  std::uint32_t size_ = 0;
+};
+
 /// A point of the skeleton, where it can go, and how wide it is there.
 struct SkeletonPoint {
   Cell cell = {};
-  double radius_m = 0;                    ///< r_p: clearance of the cell
-  std::vector<std::size_t> neighbours{};  ///< in the full skeleton
-  std::vector<std::size_t> critical{};    ///< those of them that the pruned skeleton keeps
+  double radius_m = 0;      ///< r_p: clearance of the cell
+  Neighbours neighbours{};  ///< in the full skeleton
+  Neighbours critical{};    ///< those of them that the pruned skeleton keeps
 };
 
 /// The skeleton of the robot's component of free space, and the part of it that matters: the union
@@ -28,7 +48,7 @@ struct SkeletonPoint {
 /// Cut first, thinned then: free space less than half a gateway's width from an obstacle belongs to
 /// no branch a robot could take, and a picture so shrunk thins to few spurs.
 struct Skeleton {
-  std::vector<SkeletonPoint> points = {};
+  std::vector<SkeletonPoint> points = {};    ///< row by row
   std::vector<std::size_t> exits = {};       ///< ends at unknown space or at the grid's edge
   std::optional<std::size_t> dead_end = {};  ///< where the one branch stops, if there is one exit
 

@@ -1,33 +1,12 @@
 #include "perception/thinning.hpp"
 
 #include <array>
-#include <cstddef>
+#include <vector>
 
 namespace asterism {
 namespace {
 
-using Word = std::uint64_t;
-
-// Rows of bits, framed by an empty row below and above and an empty word at both sides.
-class Bits {
- public:
-  Bits(int width, int height)
-      : words_((static_cast<std::size_t>(width) + 63) / 64 + 2),
-        bits_(words_ * (static_cast<std::size_t>(height) + 2), 0) {}
-
-  std::size_t words() const { return words_; }
-  Word& word(std::size_t row, std::size_t word) { return bits_[row * words_ + word]; }
-  Word left_of(std::size_t row, std::size_t word) {  // each cell's western neighbour
-    return this->word(row, word) << 1U | this->word(row, word - 1) >> 63U;
-  }
-  Word right_of(std::size_t row, std::size_t word) {
-    return this->word(row, word) >> 1U | this->word(row, word + 1) << 63U;
-  }
-
- private:
-  std::size_t words_;
-  std::vector<Word> bits_;
-};
+using Word = BitRows::Word;
 
 // Bits set in two or more of the words.
 template <std::size_t Count>
@@ -57,49 +36,42 @@ Word removable(const std::array<Word, 8>& p, bool second) {
   return one_step & two_to_six & sides;
 }
 
+// A word of the picture, and what a subiteration takes from it.
+struct Loss {
+  int row = 0;
+  int word = 0;
+  Word away = 0;
+};
+
 // One subiteration; whether anything went.
-bool peel(Bits& bits, std::size_t height, bool second, std::vector<Word>& gone) {
-  bool changed = false;
-  const std::size_t inner = bits.words() - 2;
-  gone.assign(inner * height, 0);
-  for (std::size_t row = 1; row <= height; ++row) {
-    for (std::size_t word = 1; word <= inner; ++word) {
-      const Word own = bits.word(row, word);
+bool peel(BitRows& picture, const BitRows& anchors, bool second, std::vector<Loss>& losses) {
+  losses.clear();
+  for (int row = 0; row < picture.height(); ++row) {
+    for (int i = 0; i < picture.words(); ++i) {
+      const Word own = picture.word(row, i);
       if (own == 0) continue;
-      const std::array<Word, 8> p{bits.word(row + 1, word), bits.right_of(row + 1, word),
-                                  bits.right_of(row, word), bits.right_of(row - 1, word),
-                                  bits.word(row - 1, word), bits.left_of(row - 1, word),
-                                  bits.left_of(row, word),  bits.left_of(row + 1, word)};
-      const Word away = own & removable(p, second);
-      gone[(row - 1) * inner + word - 1] = away;
-      changed |= away != 0;
+      const std::array<Word, 8> p{picture.word(row + 1, i), picture.east_of(row + 1, i),
+                                  picture.east_of(row, i),  picture.east_of(row - 1, i),
+                                  picture.word(row - 1, i), picture.west_of(row - 1, i),
+                                  picture.west_of(row, i),  picture.west_of(row + 1, i)};
+      Word away = own & removable(p, second);
+      if (away != 0 && anchors.height() > 0) away &= ~anchors.word(row, i);
+      if (away != 0) losses.push_back({row, i, away});
     }
   }
-  for (std::size_t i = 0; changed && i < gone.size(); ++i) {
-    bits.word(i / inner + 1, i % inner + 1) &= ~gone[i];
-  }
-  return changed;
+  for (const Loss& loss : losses) picture.word(loss.row, loss.word) &= ~loss.away;
+  return !losses.empty();
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> thinned(const std::vector<std::uint8_t>& picture, int width, int height) {
-  const auto columns = static_cast<std::size_t>(width);
-  const auto rows = static_cast<std::size_t>(height);
-  Bits bits(width, height);
-  for (std::size_t i = 0; i < picture.size(); ++i) {
-    if (picture[i]) bits.word(i / columns + 1, i % columns / 64 + 1) |= Word{1} << i % columns % 64;
-  }
-  std::vector<Word> gone;
+BitRows thinned(BitRows picture, const BitRows& anchors) {
+  std::vector<Loss> losses;
   for (bool changed = true; changed;) {
-    changed = peel(bits, rows, false, gone);
-    changed = peel(bits, rows, true, gone) || changed;
+    changed = peel(picture, anchors, false, losses);
+    changed = peel(picture, anchors, true, losses) || changed;
   }
-  std::vector<std::uint8_t> lines(picture.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    lines[i] = bits.word(i / columns + 1, i % columns / 64 + 1) >> i % columns % 64 & 1U;
-  }
-  return lines;
+  return picture;
 }
 
 }  // namespace asterism

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include "perception/bit_rows.hpp"
 
 namespace asterism {
 
 /// Thins a picture to lines one cell wide, keeping what is connected connected: the parallel
 /// algorithm of [ZS84], 64 cells at a time.
 ///
-/// @param picture  row by row, `width` · `height` cells, not 0: belongs to the figure
-/// @return  1 where the thinned figure is, else 0
-std::vector<std::uint8_t> thinned(const std::vector<std::uint8_t>& picture, int width, int height);
+/// @param anchors  cells that stay whatever happens; a picture as large, or nothing
+BitRows thinned(BitRows picture, const BitRows& anchors = {});
 
 }  // namespace asterism

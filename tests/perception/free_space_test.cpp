@@ -1,6 +1,7 @@
 #include "perception/free_space.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 
 #include "core/random.hpp"
@@ -26,17 +27,21 @@ void fill(Grid& grid, Cell low, int columns, int rows, float value) {
   }
 }
 
-// Exact in integers; none marked: nothing.
-std::vector<float> brute_force(const std::vector<std::uint8_t>& marked, int width) {
-  std::vector<float> squared(marked.size(), -1);
-  const auto columns = static_cast<std::size_t>(width);
-  for (std::size_t from = 0; from < marked.size(); ++from) {
-    for (std::size_t to = 0; to < marked.size(); ++to) {
-      if (!marked[to]) continue;
-      const auto right = static_cast<long>(from % columns) - static_cast<long>(to % columns);
-      const auto up = static_cast<long>(from / columns) - static_cast<long>(to / columns);
-      const auto own = static_cast<float>(right * right + up * up);
-      if (squared[from] < 0 || own < squared[from]) squared[from] = own;
+// Exact in integers.
+std::vector<float> brute_force(const BitRows& picture) {
+  std::vector<float> squared;
+  for (int row = 0; row < picture.height(); ++row) {
+    for (int column = 0; column < picture.width(); ++column) {
+      int least = INT_MAX;
+      for (int other_row = -1; other_row <= picture.height(); ++other_row) {
+        for (int other = -1; other <= picture.width(); ++other) {
+          if (picture.has({other, other_row})) continue;
+          const int right = column - other;
+          const int up = row - other_row;
+          least = std::min(least, right * right + up * up);
+        }
+      }
+      squared.push_back(static_cast<float>(least));
     }
   }
   return squared;
@@ -51,29 +56,26 @@ TEST_CASE("squared distances are those of brute force", "[perception][property]"
     const int width = picture % 6 == 0 ? 1 : 1 + static_cast<int>(below(40, random));
     const int height = picture % 6 == 3 ? 1 : 1 + static_cast<int>(below(40, random));
     const double share = std::pow(uniform(random), 4);
-    std::vector<std::uint8_t> marked(static_cast<std::size_t>(width) *
-                                     static_cast<std::size_t>(height));
-    for (std::uint8_t& cell : marked) cell = chance(share, random);
-    const std::vector<float> fast = squared_distances(marked, width, height);
-    CAPTURE(picture, width, height, share);
-    if (std::count(marked.begin(), marked.end(), 1) > 0) {
-      REQUIRE(fast == brute_force(marked, width));
-    } else {
-      const float most = static_cast<float>(width * width + height * height);
-      REQUIRE(*std::min_element(fast.begin(), fast.end()) > most);
+    BitRows cells(width, height);
+    for (int row = 0; row < height; ++row) {
+      for (int column = 0; column < width; ++column) {
+        if (!chance(share, random)) cells.set({column, row});
+      }
     }
+    CAPTURE(picture, width, height, share);
+    REQUIRE(squared_distances(cells) == brute_force(cells));
   }
 }
 
-TEST_CASE("squared distances stay exact across a large empty grid", "[perception]") {
-  constexpr int width = 301;
-  constexpr int height = 299;
-  std::vector<std::uint8_t> marked(std::size_t{width} * height, 0);
-  marked.front() = 1;
-  const std::vector<float> squared = squared_distances(marked, width, height);
-  CHECK(squared.front() == 0);
-  CHECK(squared[width - 1] == 300 * 300);
-  CHECK(squared.back() == 300 * 300 + 298 * 298);
+TEST_CASE("squared distances stay exact across a large picture", "[perception]") {
+  constexpr int width = 601;
+  constexpr int height = 599;
+  BitRows cells(width, height);
+  for (int row = 0; row < height; ++row) cells.set_run(row, 0, width);
+  const std::vector<float> squared = squared_distances(cells);
+  CHECK(squared.front() == 1);
+  CHECK(squared[width - 1] == 1);
+  CHECK(squared[299 * width + 300] == 300 * 300);
 }
 
 //   . . . . . . .

@@ -57,6 +57,27 @@ bool goes(const Board& board, int column, int row, bool second) {
 
 }  // namespace
 
+BitRows bit_rows(const Picture& picture, int width, int height) {
+  BitRows rows(width, height);
+  const Board board(picture, width, height);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      if (board.at(column, row) != 0) rows.set({column, row});
+    }
+  }
+  return rows;
+}
+
+Picture picture_of(const BitRows& rows) {
+  Picture picture;
+  for (int row = 0; row < rows.height(); ++row) {
+    for (int column = 0; column < rows.width(); ++column) {
+      picture.push_back(rows.has({column, row}));
+    }
+  }
+  return picture;
+}
+
 std::vector<Picture> plain_thinning(const Picture& picture, int width, int height) {
   std::vector<Picture> stages{picture};
   for (bool changed = true; changed;) {

@@ -3,10 +3,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "perception/bit_rows.hpp"
+
 namespace asterism {
 
-/// A picture as `thinned` takes it: row by row, not 0 belongs to the figure.
+/// A picture a byte a cell: row by row, not 0 belongs to the figure.
 using Picture = std::vector<std::uint8_t>;
+BitRows bit_rows(const Picture& picture, int width, int height);
+Picture picture_of(const BitRows& rows);
 
 /// The two subiterations as the paper words them, cell by cell, until no more go.      [ZS84]
 /// @return  the picture after every subiteration that took something away, the first as given

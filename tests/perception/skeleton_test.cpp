@@ -64,11 +64,11 @@ void check_laws(const FreeSpace& space, const Skeleton& skeleton, const Skeleton
     REQUIRE(point.radius_m == space.clearance(point.cell));
     REQUIRE(point.radius_m >= options.min_gateway_width_m / 2);
     for (const std::size_t next : point.neighbours) {
-      REQUIRE(holds(skeleton.points[next].neighbours, i));
+      REQUIRE(skeleton.points[next].neighbours.has(i));
     }
     for (const std::size_t next : point.critical) {
-      REQUIRE(holds(point.neighbours, next));
-      REQUIRE(holds(skeleton.points[next].critical, i));
+      REQUIRE(point.neighbours.has(next));
+      REQUIRE(skeleton.points[next].critical.has(i));
     }
     if (point.critical.size() != 1) continue;
     ++leaves;

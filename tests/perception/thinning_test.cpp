@@ -1,6 +1,7 @@
 #include "perception/thinning.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 
@@ -63,6 +64,10 @@ Picture random_picture(int width, int height, RandomEngine& random) {
     }
   }
   return picture;
+}
+
+Picture thinned(const Picture& picture, int width, int height) {
+  return picture_of(thinned(bit_rows(picture, width, height)));
 }
 
 std::size_t count(const Picture& picture) {
@@ -197,6 +202,52 @@ TEST_CASE("what is thinned is thin, and stays as it is", "[perception][property]
     CAPTURE(seed, width, height);
     REQUIRE(thinned(lines, width, height) == lines);
     for (std::size_t i = 0; i < lines.size(); ++i) REQUIRE(lines[i] <= (figure[i] != 0));
+  }
+}
+
+// Of a diagonal two cells wide the ends are taken again and again, until next to nothing is left.
+//
+//   . . . . # #
+//   . . . # # .
+//   . . # # . .
+//   . # # . . .
+//   # # . . . .
+TEST_CASE("anchors stay, and what joins them", "[perception][property]") {
+  BitRows diagonal(140, 140);
+  for (int i = 0; i < 139; ++i) diagonal.set_run(i, i, i + 2);
+  CHECK(count(picture_of(thinned(diagonal))) <= 2);
+  BitRows ends(140, 140);
+  ends.set({0, 0});
+  ends.set({139, 138});
+  const BitRows kept = thinned(diagonal, ends);
+  CHECK(kept.has({0, 0}));
+  CHECK(kept.has({139, 138}));
+  CHECK(Pieces(kept, Pieces::Touch::corners).count() == 1);
+
+  RandomEngine random(5);
+  for (int seed = 0; seed < 200; ++seed) {
+    const int width = 1 + static_cast<int>(below(140, random));
+    const int height = 1 + static_cast<int>(below(60, random));
+    const BitRows figure = bit_rows(random_picture(width, height, random), width, height);
+    BitRows anchors(width, height);
+    figure.for_each([&](Cell cell) {
+      if (chance(0.01, random)) anchors.set(cell);
+    });
+    const BitRows lines = thinned(figure, anchors);
+    CAPTURE(seed, width, height);
+    // A piece with an anchor stays one piece, and all its anchors are in it.
+    const Pieces before(figure, Pieces::Touch::corners);
+    const Pieces after(lines, Pieces::Touch::corners);
+    std::map<std::size_t, std::set<std::size_t>> becomes;
+    anchors.for_each([&](Cell cell) {
+      REQUIRE(lines.has(cell));
+      becomes[*before.at(cell)].insert(*after.at(cell));
+    });
+    lines.for_each([&](Cell cell) {
+      REQUIRE(figure.has(cell));
+      becomes[*before.at(cell)].insert(*after.at(cell));
+    });
+    for (const auto& [piece, parts] : becomes) REQUIRE(parts.size() == 1);
   }
 }
 
