@@ -4,23 +4,12 @@
 #include <limits>
 #include <queue>
 
-#include "perception/frontier.hpp"
+#include "perception/cells.hpp"
+#include "perception/exits.hpp"
 #include "perception/thinning.hpp"
 
 namespace asterism {
 namespace {
-
-constexpr std::array<Cell, 8> kRing{
-    {{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};  // clockwise from the
-                                                                              // north
-
-Cell operator+(Cell a, Cell b) { return {a.column + b.column, a.row + b.row}; }
-
-int squared_distance(Cell a, Cell b) {
-  const int right = a.column - b.column;
-  const int up = a.row - b.row;
-  return right * right + up * up;
-}
 
 // The cells with room for a gateway's half width, or where the robot was.
 BitRows roomy_cells(const FreeSpace& space, double half_width_m, std::span<const Point2> driven) {
@@ -61,17 +50,6 @@ BitRows component(const BitRows& picture, Cell robot) {
   return result;
 }
 
-bool is_end(const BitRows& lines, Cell cell) {
-  int steps = 0;
-  int neighbours = 0;
-  for (std::size_t i = 0; i < kRing.size(); ++i) {
-    const bool here = lines.has(cell + kRing[i]);
-    neighbours += here;
-    steps += !here && lines.has(cell + kRing[(i + 1) % kRing.size()]);
-  }
-  return neighbours == 0 || (steps == 1 && neighbours <= 2);
-}
-
 // Thinned diagonals may be two cells wide, and paths along them would cross over and back. Takes
 // away, one by one, what is not needed to keep the lines 8-connected and is no end.
 BitRows slimmed(const BitRows& lines) {
@@ -79,14 +57,12 @@ BitRows slimmed(const BitRows& lines) {
   lines.for_each([&](Cell cell) {
     std::array<bool, 8> on{};
     for (std::size_t i = 0; i < on.size(); ++i) on[i] = slim.has(cell + kRing[i]);
-    int neighbours = 0;
     int pieces = 0;
     for (std::size_t i = 0; i < on.size(); ++i) {
-      neighbours += on[i];
       const bool side = i % 2 == 0;
       pieces += side && !on[i] && (on[(i + 1) % 8] || on[(i + 2) % 8]);
     }
-    if (neighbours > 1 && pieces == 1) slim.clear(cell);
+    if (pieces == 1 && !is_end(slim, cell)) slim.clear(cell);
   });
   return slim;
 }
@@ -115,32 +91,6 @@ std::vector<SkeletonPoint> points_of(const BitRows& lines, const FreeSpace& spac
     }
   }
   return points;
-}
-
-// One exit a piece of frontier: where a line forks before it, the end that faces more of it.
-std::vector<std::size_t> exits_of(const Skeleton& skeleton, const BitRows& lines,
-                                  const Frontier& frontier, const SkeletonOptions& options) {
-  struct Exit {
-    double width_m = 0;
-    std::size_t end = 0;
-    auto operator<=>(const Exit&) const = default;
-  };
-  std::vector<Exit> best(frontier.pieces().count());
-  for (std::size_t i = 0; i < skeleton.points.size(); ++i) {
-    const SkeletonPoint& point = skeleton.points[i];
-    if (!is_end(lines, point.cell)) continue;
-    const Frontier::Opening opening =
-        frontier.opening_at(point.cell, 1.5 * point.radius_m + options.exit_reach_m);
-    if (opening.width_m < options.exit_share * options.min_gateway_width_m) continue;
-    if (!opening.piece) continue;  // grazes the unknown between walls
-    best[*opening.piece] = std::max(best[*opening.piece], {opening.width_m, i});
-  }
-  std::vector<std::size_t> exits;
-  for (const Exit& exit : best) {
-    if (exit.width_m > 0) exits.push_back(exit.end);
-  }
-  std::sort(exits.begin(), exits.end());
-  return exits;
 }
 
 void keep(Skeleton& skeleton, std::size_t a, std::size_t b) {
@@ -201,13 +151,23 @@ ShortestPaths shortest_paths(const Skeleton& skeleton, std::size_t start) {
 
 Skeleton skeleton(const FreeSpace& space, Cell robot, const SkeletonOptions& options,
                   std::span<const Point2> driven) {
+  const Grid& frame = space.frame;
   const BitRows roomy =
       component(roomy_cells(space, options.min_gateway_width_m / 2, driven), robot);
   const Frontier frontier(space);
-  const BitRows lines = slimmed(thinned(roomy));
-
+  BitRows lines = slimmed(thinned(roomy));
   Skeleton result{.points = points_of(lines, space)};
-  result.exits = exits_of(result, lines, frontier, options);
+  auto exits = exits_at(frontier, lines, result.points, options);
+  const BitRows missed = missed_openings(space, frontier, roomy, result.points, exits, options);
+  if (missed != BitRows(frame.width, frame.height)) {
+    lines = slimmed(thinned(roomy, missed));
+    result.points = points_of(lines, space);
+    exits = exits_at(frontier, lines, result.points, options);
+  }
+  for (const std::optional<std::size_t>& exit : exits) {
+    if (exit) result.exits.push_back(*exit);
+  }
+  std::sort(result.exits.begin(), result.exits.end());
   for (std::size_t i = 0; i < result.exits.size(); ++i) {
     const ShortestPaths paths = shortest_paths(result, result.exits[i]);
     for (std::size_t j = i + 1; j < result.exits.size(); ++j) {
