@@ -15,6 +15,7 @@ constexpr double kAxisSearch = 40;    // degrees either side of the skeleton's d
 constexpr double kAxisRange_m = 5;    // how far a gateway looks outwards for its axis
 constexpr double kChord = 1.5;        // weight of the chord's length against the depth
 constexpr double kNearlyBest = 0.05;  // how much worse a direction still counts
+constexpr double kLoop_m = 10;        // a way that comes back to the core sooner leads nowhere
 constexpr int kWall = 2;              // cells round a gateway's end in which a wall is looked for
 constexpr double kBorder_m = 0.15;    // how far beyond a core's disc its border is looked at
 
@@ -118,7 +119,10 @@ class Finder {
       const SkeletonPoint& here = point(line.back());
       if (here.critical.size() != 2) break;
       const std::size_t next = here.critical[0] == before ? here.critical[1] : here.critical[0];
-      if (inside_[next]) return;  // a loop back: nothing lies beyond
+      if (inside_[next]) {
+        if (static_cast<double>(line.size() - first) * space_.frame.resolution_m < kLoop_m) return;
+        break;
+      }
       before = line.back();
       line.push_back(next);
     }

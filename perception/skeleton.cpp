@@ -6,6 +6,7 @@
 
 #include "perception/cells.hpp"
 #include "perception/exits.hpp"
+#include "perception/pruning.hpp"
 #include "perception/thinning.hpp"
 
 namespace asterism {
@@ -93,61 +94,7 @@ std::vector<SkeletonPoint> points_of(const BitRows& lines, const FreeSpace& spac
   return points;
 }
 
-void keep(Skeleton& skeleton, std::size_t a, std::size_t b) {
-  const auto add = [&](std::size_t from, std::size_t to) {
-    Neighbours& kept = skeleton.points[from].critical;
-    if (!kept.has(to)) kept.add(to);
-  };
-  add(a, b);
-  add(b, a);
-}
-
-void keep_path(Skeleton& skeleton, const ShortestPaths& paths, std::size_t end) {
-  for (std::size_t at = end; paths.before[at]; at = *paths.before[at]) {
-    keep(skeleton, at, *paths.before[at]);
-  }
-}
-
-// With one exit: the junction of the full skeleton farthest from it, or its farthest point.
-std::size_t dead_end(const Skeleton& skeleton, const ShortestPaths& paths) {
-  std::optional<std::size_t> junction;
-  std::size_t farthest = skeleton.exits.front();
-  for (std::size_t i = 0; i < skeleton.points.size(); ++i) {
-    if (!std::isfinite(paths.length[i])) continue;
-    if (paths.length[i] > paths.length[farthest]) farthest = i;
-    if (skeleton.points[i].neighbours.size() > 2 &&
-        (!junction || paths.length[i] > paths.length[*junction])) {
-      junction = i;
-    }
-  }
-  return junction.value_or(farthest);
-}
-
 }  // namespace
-
-ShortestPaths shortest_paths(const Skeleton& skeleton, std::size_t start) {
-  ShortestPaths paths{.before = std::vector<std::optional<std::size_t>>(skeleton.points.size()),
-                      .length = std::vector<double>(skeleton.points.size(),
-                                                    std::numeric_limits<double>::infinity())};
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  paths.length[start] = 0;
-  open.emplace(0, start);
-  while (!open.empty()) {
-    const auto [length, at] = open.top();
-    open.pop();
-    if (length > paths.length[at]) continue;
-    for (const std::size_t next : skeleton.points[at].neighbours) {
-      const double there = length + std::sqrt(squared_distance(skeleton.points[at].cell,
-                                                               skeleton.points[next].cell));
-      if (there >= paths.length[next]) continue;
-      paths.length[next] = there;
-      paths.before[next] = at;
-      open.emplace(there, next);
-    }
-  }
-  return paths;
-}
 
 Skeleton skeleton(const FreeSpace& space, Cell robot, const SkeletonOptions& options,
                   std::span<const Point2> driven) {
@@ -168,16 +115,7 @@ Skeleton skeleton(const FreeSpace& space, Cell robot, const SkeletonOptions& opt
     if (exit) result.exits.push_back(*exit);
   }
   std::sort(result.exits.begin(), result.exits.end());
-  for (std::size_t i = 0; i < result.exits.size(); ++i) {
-    const ShortestPaths paths = shortest_paths(result, result.exits[i]);
-    for (std::size_t j = i + 1; j < result.exits.size(); ++j) {
-      keep_path(result, paths, result.exits[j]);
-    }
-    if (result.exits.size() == 1) {
-      result.dead_end = dead_end(result, paths);
-      keep_path(result, paths, *result.dead_end);
-    }
-  }
+  keep_critical(result, frame, options, driven);
   return result;
 }
 

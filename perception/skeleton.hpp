@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,7 +14,10 @@ namespace asterism {
 struct SkeletonOptions {
   double min_gateway_width_m = 0.95;  ///< narrower branches are cut
   double exit_reach_m = 0.5;  ///< a line stops short of the unknown by half its width and this
-  double exit_share = 0.7;    ///< an exit opens to the unknown over this share of a gateway's width
+  double loop_m = 20;         ///< a way round that is shorter leads round furniture
+  double hallway_m =
+      8;  ///< a branch seen to its end that is longer leads to a dead end; else a stub
+  double exit_share = 0.7;  ///< an exit opens to the unknown over this share of a gateway's width
 };
 
 /// Points next to one point of the skeleton: at most eight.
@@ -42,15 +44,15 @@ struct SkeletonPoint {
   Neighbours critical{};    ///< those of them that the pruned skeleton keeps
 };
 
-/// The skeleton of the robot's component of free space, and the part of it that matters: the union
-/// of the shortest paths between its exits.                      [DESIGN §11, 3-4] [BMK10, §5.1.1]
+/// The skeleton of the robot's component of free space, and the part of it that matters; see
+/// perception/pruning.hpp.                                       [DESIGN §11, 3-4] [BMK10, §5.1.1]
 ///
 /// Cut first, thinned then: free space less than half a gateway's width from an obstacle belongs to
 /// no branch a robot could take, and a picture so shrunk thins to few spurs.
 struct Skeleton {
-  std::vector<SkeletonPoint> points = {};    ///< row by row
-  std::vector<std::size_t> exits = {};       ///< ends at unknown space or at the grid's edge
-  std::optional<std::size_t> dead_end = {};  ///< where the one branch stops, if there is one exit
+  std::vector<SkeletonPoint> points = {};   ///< row by row
+  std::vector<std::size_t> exits = {};      ///< ends at unknown space or at the grid's edge
+  std::vector<std::size_t> dead_ends = {};  ///< where branches stop that are kept all the same
 
   bool is_critical(std::size_t point) const { return !points[point].critical.empty(); }
   bool is_junction(std::size_t point) const { return points[point].critical.size() > 2; }
@@ -59,12 +61,5 @@ struct Skeleton {
 /// @param driven  where the robot drove: no branch is cut there, however narrow
 Skeleton skeleton(const FreeSpace& space, Cell robot, const SkeletonOptions& options = {},
                   std::span<const Point2> driven = {});
-
-/// Of each point, the one before it on the shortest path from `start`, and how far it is; in cells.
-struct ShortestPaths {
-  std::vector<std::optional<std::size_t>> before = {};
-  std::vector<double> length = {};  ///< infinite: not connected
-};
-ShortestPaths shortest_paths(const Skeleton& skeleton, std::size_t start);
 
 }  // namespace asterism

@@ -1,0 +1,243 @@
+#include "perception/pruning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+
+namespace asterism {
+namespace {
+
+constexpr double kEntered_m = 1.0;    // so far into a branch the robot has entered it
+constexpr double kLeastLink_m = 1.0;  // shorter links between two branches are corners of junctions
+
+using Points = std::vector<std::size_t>;
+
+double step_length(const Skeleton& skeleton, std::size_t a, std::size_t b) {
+  const Cell from = skeleton.points[a].cell;
+  const Cell to = skeleton.points[b].cell;
+  return from.column == to.column || from.row == to.row ? 1 : std::numbers::sqrt2;
+}
+
+// Through the points that are open.
+ShortestPaths paths_from(const Skeleton& skeleton, const Points& starts,
+                         const std::vector<bool>& open) {
+  ShortestPaths paths{.before = std::vector<std::optional<std::size_t>>(skeleton.points.size()),
+                      .length = std::vector<double>(skeleton.points.size(),
+                                                    std::numeric_limits<double>::infinity())};
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (const std::size_t start : starts) {
+    paths.length[start] = 0;
+    queue.emplace(0, start);
+  }
+  while (!queue.empty()) {
+    const auto [length, at] = queue.top();
+    queue.pop();
+    if (length > paths.length[at]) continue;
+    for (const std::size_t next : skeleton.points[at].neighbours) {
+      const double there = length + step_length(skeleton, at, next);
+      if (!open[next] || there >= paths.length[next]) continue;
+      paths.length[next] = there;
+      paths.before[next] = at;
+      queue.emplace(there, next);
+    }
+  }
+  return paths;
+}
+
+class Pruner {
+ public:
+  Pruner(Skeleton& skeleton, const Grid& frame, const SkeletonOptions& options)
+      : skeleton_(skeleton), frame_(frame), options_(options), all_(skeleton.points.size(), true) {}
+
+  void keep_between_exits() {
+    const Points& exits = skeleton_.exits;
+    for (std::size_t i = 0; i + 1 < exits.size(); ++i) {
+      const ShortestPaths paths = paths_from(skeleton_, {exits[i]}, all_);
+      for (std::size_t j = i + 1; j < exits.size(); ++j) keep_path(paths, exits[j]);
+    }
+  }
+
+  // Links off the kept paths that close a long loop, and what joins them to the rest.
+  void keep_loops() {
+    const std::vector<bool> trunk = without_loose_ends();
+    std::vector<bool> seen(skeleton_.points.size(), false);
+    for (std::size_t start = 0; start < skeleton_.points.size(); ++start) {
+      if (!trunk[start] || !is_fork(start, trunk)) continue;
+      for (const std::size_t next : skeleton_.points[start].neighbours) {
+        if (!trunk[next] || seen[next] || is_fork(next, trunk)) continue;
+        keep_if_long(link(start, next, trunk, seen), trunk);
+      }
+    }
+  }
+
+  // Branches that end in a dead end worth a place.
+  void keep_dead_ends(std::span<const Point2> driven) {
+    for (;;) {
+      const Points roots = kept();
+      if (roots.empty()) return;
+      const ShortestPaths paths = paths_from(skeleton_, roots, all_);
+      std::optional<std::size_t> deepest;
+      for (std::size_t i = 0; i < skeleton_.points.size(); ++i) {
+        const double length_m = paths.length[i] * frame_.resolution_m;
+        if (!std::isfinite(length_m) || length_m < kEntered_m) continue;
+        if (deepest && paths.length[i] <= paths.length[*deepest]) continue;
+        const double depth_m =
+            paths.length[i] * frame_.resolution_m - skeleton_.points[root_of(paths, i)].radius_m;
+        if (depth_m < kEntered_m) continue;
+        if (depth_m >= options_.hallway_m || holds_one(i, driven)) deepest = i;
+      }
+      if (!deepest) return;
+      keep_path(paths, *deepest);
+      skeleton_.dead_ends.push_back(*deepest);
+    }
+  }
+
+  // The junction farthest from the one exit, or the farthest point.
+  void keep_only_branch() {
+    const ShortestPaths paths = paths_from(skeleton_, skeleton_.exits, all_);
+    std::optional<std::size_t> junction;
+    std::size_t farthest = skeleton_.exits.front();
+    for (std::size_t i = 0; i < skeleton_.points.size(); ++i) {
+      if (!std::isfinite(paths.length[i])) continue;
+      if (paths.length[i] > paths.length[farthest]) farthest = i;
+      if (skeleton_.points[i].neighbours.size() > 2 &&
+          (!junction || paths.length[i] > paths.length[*junction])) {
+        junction = i;
+      }
+    }
+    skeleton_.dead_ends.push_back(junction.value_or(farthest));
+    keep_path(paths, skeleton_.dead_ends.back());
+  }
+
+ private:
+  void keep(std::size_t a, std::size_t b) {
+    const auto add = [&](std::size_t from, std::size_t to) {
+      Neighbours& critical = skeleton_.points[from].critical;
+      if (!critical.has(to)) critical.add(to);
+    };
+    add(a, b);
+    add(b, a);
+  }
+
+  void keep_path(const ShortestPaths& paths, std::size_t end) {
+    for (std::size_t at = end; paths.before[at]; at = *paths.before[at]) {
+      keep(at, *paths.before[at]);
+    }
+  }
+
+  bool is_exit(std::size_t i) const {
+    return std::binary_search(skeleton_.exits.begin(), skeleton_.exits.end(), i);
+  }
+
+  // What is kept so far; exits count.
+  Points kept() const {
+    Points result;
+    for (std::size_t i = 0; i < skeleton_.points.size(); ++i) {
+      if (skeleton_.is_critical(i) || is_exit(i)) result.push_back(i);
+    }
+    return result;
+  }
+
+  std::size_t degree(std::size_t i, const std::vector<bool>& open) const {
+    const Neighbours& near = skeleton_.points[i].neighbours;
+    return static_cast<std::size_t>(
+        std::count_if(near.begin(), near.end(), [&](std::size_t next) { return open[next]; }));
+  }
+
+  bool is_fork(std::size_t i, const std::vector<bool>& open) const {
+    return skeleton_.is_critical(i) || is_exit(i) || degree(i, open) > 2;
+  }
+
+  // The points left when loose ends other than exits are taken away again and again.
+  std::vector<bool> without_loose_ends() const {
+    std::vector<bool> left = all_;
+    Points loose;
+    const auto look_at = [&](std::size_t i) {
+      if (left[i] && !is_exit(i) && !skeleton_.is_critical(i) && degree(i, left) < 2) {
+        left[i] = false;
+        loose.push_back(i);
+      }
+    };
+    for (std::size_t i = 0; i < left.size(); ++i) look_at(i);
+    while (!loose.empty()) {
+      const std::size_t gone = loose.back();
+      loose.pop_back();
+      for (const std::size_t next : skeleton_.points[gone].neighbours) look_at(next);
+    }
+    return left;
+  }
+
+  // From a fork over `next` to the next fork, both forks included.
+  Points link(std::size_t start, std::size_t next, const std::vector<bool>& trunk,
+              std::vector<bool>& seen) const {
+    Points line{start, next};
+    while (!is_fork(line.back(), trunk)) {
+      const std::size_t at = line.back();
+      const std::size_t before = line[line.size() - 2];
+      seen[at] = true;
+      for (const std::size_t after : skeleton_.points[at].neighbours) {
+        if (trunk[after] && after != before) line.push_back(after);
+      }
+      if (line.back() == at) break;
+    }
+    return line;
+  }
+
+  void keep_if_long(const Points& line, std::vector<bool> open) {
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      length += step_length(skeleton_, line[i], line[i + 1]);
+    }
+    if (length * frame_.resolution_m < kLeastLink_m) return;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) open[line[i]] = false;
+    const double back = paths_from(skeleton_, {line.front()}, open).length[line.back()];
+    const double round_m = (length + back) * frame_.resolution_m;
+    if (!std::isfinite(round_m) || round_m < options_.loop_m) return;
+    const Points roots = kept();
+    if (!roots.empty()) {
+      const ShortestPaths joins = paths_from(skeleton_, roots, open);
+      keep_path(joins, line.front());
+      keep_path(joins, line.back());
+    }
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) keep(line[i], line[i + 1]);
+  }
+
+  static std::size_t root_of(const ShortestPaths& paths, std::size_t point) {
+    while (paths.before[point]) point = *paths.before[point];
+    return point;
+  }
+
+  bool holds_one(std::size_t i, std::span<const Point2> driven) const {
+    const Point2 middle = frame_.centre(skeleton_.points[i].cell);
+    const double radius_m = skeleton_.points[i].radius_m;
+    return std::any_of(driven.begin(), driven.end(),
+                       [&](Point2 point) { return norm(point - middle) <= radius_m; });
+  }
+
+  Skeleton& skeleton_;
+  const Grid& frame_;
+  const SkeletonOptions& options_;
+  std::vector<bool> all_;
+};
+
+}  // namespace
+
+void keep_critical(Skeleton& skeleton, const Grid& frame, const SkeletonOptions& options,
+                   std::span<const Point2> driven) {
+  Pruner pruner(skeleton, frame, options);
+  pruner.keep_between_exits();
+  pruner.keep_loops();
+  pruner.keep_dead_ends(driven);
+  const bool alone = std::none_of(skeleton.points.begin(), skeleton.points.end(),
+                                  [](const SkeletonPoint& p) { return !p.critical.empty(); });
+  if (alone && skeleton.exits.size() == 1) pruner.keep_only_branch();
+}
+
+ShortestPaths shortest_paths(const Skeleton& skeleton, std::size_t start) {
+  return paths_from(skeleton, {start}, std::vector<bool>(skeleton.points.size(), true));
+}
+
+}  // namespace asterism
