@@ -33,6 +33,7 @@ std::vector<std::uint8_t> roomy_component(const FreeSpace& space, Cell robot, do
   std::vector<std::uint8_t> was_there(space.cells.size(), 0);
   for (const Point2 point : driven) {
     const Cell at = frame.cell_at(point);
+    if (space.is_free(at)) was_there[frame.index(at)] = 1;
     for (const Cell step : kRing) {
       if (space.is_free(at + step)) was_there[frame.index(at + step)] = 1;
     }
