@@ -37,6 +37,15 @@ class Finder {
     return result;
   }
 
+  std::vector<std::size_t> core(Point2 robot) const {
+    const std::optional<std::size_t> nearest = nearest_to(robot);
+    if (!nearest) return {};
+    Neighbourhood result;
+    find_core(robot, *nearest, result);
+    std::sort(result.core.begin(), result.core.end());
+    return result.core;
+  }
+
  private:
   const SkeletonPoint& point(std::size_t i) const { return skeleton_.points[i]; }
   Point2 at(std::size_t i) const { return space_.frame.centre(point(i).cell); }
@@ -268,6 +277,10 @@ class Finder {
 std::optional<Neighbourhood> neighbourhood(const FreeSpace& space, const Skeleton& skeleton,
                                            Point2 robot) {
   return Finder(space, skeleton).find(robot);
+}
+
+std::vector<std::size_t> core(const FreeSpace& space, const Skeleton& skeleton, Point2 robot) {
+  return Finder(space, skeleton).core(robot);
 }
 
 }  // namespace asterism

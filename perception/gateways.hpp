@@ -28,5 +28,7 @@ struct Neighbourhood {
 /// @return  nothing if there is no exit: the skeleton has no critical branch
 std::optional<Neighbourhood> neighbourhood(const FreeSpace& space, const Skeleton& skeleton,
                                            Point2 robot);
+/// Its core alone, in ascending order; empty: no exit. Where cores are equal, so is all else.
+std::vector<std::size_t> core(const FreeSpace& space, const Skeleton& skeleton, Point2 robot);
 
 }  // namespace asterism

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
 
 namespace asterism {
 namespace {
@@ -11,7 +13,8 @@ constexpr std::size_t kLongestWay = 8000;
 constexpr double kAside_m = 1.0;          // how far beside a gateway's ends one is still beyond it
 constexpr double kSameHeading_rad = 0.6;  // how far gateways seen twice may differ
 constexpr double kSameSpot_m = 2.0;
-constexpr double kLost_m = 10;        // farther from where a place was seen, one is not in it
+constexpr double kLost_m = 10;        // farther from a spot, one has left its place
+constexpr double kStride_m = 0.3;     // how far the robot drives between two looks back
 constexpr double kLongestScan_s = 1;  // a gap in the log counts as no more time than this
 
 // How far a point lies beyond a gateway, and beside its axis.
@@ -60,26 +63,29 @@ ScanDetector::ScanDetector(const ScanDetectorOptions& options)
       localiser_(options.localiser, {0, 0, options.start_heading_rad}) {}
 
 std::optional<DetectedVisit> ScanDetector::observe(const Scan& scan) {
-  follow(scan);
   const double passed_s =
       last_stamp_s_ ? std::clamp(scan.stamp_s - *last_stamp_s_, 0.0, kLongestScan_s) : 0;
   last_stamp_s_ = scan.stamp_s;
-  look(passed_s);
+  if (!way_.empty()) way_.back().passed_s += passed_s;
+  follow(scan);
+  find_stop(passed_s);
+  find_corner();
+  look();
 
-  const Sight* const place = best_sight();
-  if (!place) return std::nullopt;
-  const std::optional<std::size_t> out = outside(*place, robot_.position(), options_.leave_m);
-  if (out) return leave(*place, *out);
-  if (norm(robot_.position() - place->from) > kLost_m) {
-    forget();
+  if (spots_.empty()) return std::nullopt;
+  if (judged_from_ && norm(robot_.position() - *judged_from_) < kStride_m) return std::nullopt;
+  judged_from_ = robot_.position();
+  for (std::size_t i = 0; i < spots_.size(); ++i) {
+    const double away_m = norm(robot_.position() - spots_[i]);
+    if (away_m < options_.leave_m) continue;
+    const std::optional<Place> place = place_at(spots_[i]);
+    if (place) {
+      const std::optional<std::size_t> out = outside(*place, robot_.position(), options_.leave_m);
+      if (out) return leave(*place, *out);
+    }
+    if (away_m > kLost_m) spots_.erase(spots_.begin() + static_cast<std::ptrdiff_t>(i--));
   }
   return std::nullopt;
-}
-
-void ScanDetector::forget() {
-  sights_.clear();
-  stayed_in_place_s_ = 0;
-  fixed_ = false;
 }
 
 // Localises, scrolls and draws.
@@ -107,57 +113,127 @@ void ScanDetector::follow(const Scan& scan) {
   }
 }
 
-// Looks at the surroundings, and counts how long which star was seen.
-void ScanDetector::look(double passed_s) {
+// Looks at the surroundings. The map does not scroll at a possible place.
+void ScanDetector::look() {
+  surroundings_ = local_topology(map_.grid(), robot_.position(), options_.topology, driven());
+  fixed_ = !spots_.empty() || (surroundings_.star && !is_on_path(*surroundings_.star));
+}
+
+std::vector<Point2> ScanDetector::driven() const {
+  std::vector<Point2> result;
+  for (auto step = way_.rbegin();
+       step != way_.rend() &&
+       map_.grid().contains(map_.grid().cell_at(step->map_from_robot.position()));
+       ++step) {
+    result.push_back(step->map_from_robot.position());
+  }
+  return result;
+}
+
+void ScanDetector::find_stop(double passed_s) {
   if (norm(robot_.position() - anchor_) > options_.stay_m) {
     anchor_ = robot_.position();
     stayed_s_ = 0;
   }
   stayed_s_ += passed_s;
-  std::vector<Point2> driven;
+  if (stayed_s_ < options_.stay_s) return;
   for (auto step = way_.rbegin();
-       step != way_.rend() &&
-       map_.grid().contains(map_.grid().cell_at(step->map_from_robot.position()));
+       step != way_.rend() && norm(step->map_from_robot.position() - anchor_) <= options_.stay_m &&
+       !step->stopped;
        ++step) {
-    driven.push_back(step->map_from_robot.position());
+    step->stopped = true;
   }
-  surroundings_ = local_topology(map_.grid(), robot_.position(), options_.topology, driven);
-  const bool possible_place = surroundings_.star && !is_on_path(*surroundings_.star);
-  fixed_ = possible_place || stayed_in_place_s_ >= options_.hold_s;
-  if (!possible_place || surroundings_.neighbourhood->unknown_border > options_.explored) return;
-  // What is seen from beyond a gateway of the place where the robot stayed belongs to another.
-  const Sight* const place = best_sight();
-  if (place && stayed_in_place_s_ >= options_.hold_s && place->seen_s >= options_.hold_s &&
-      outside(*place, robot_.position(), 0)) {
+  mark(anchor_);
+}
+
+// Where the way before a step and the way behind it lie in different directions.
+void ScanDetector::find_corner() {
+  const auto at = [&](std::size_t step) { return way_[step].map_from_robot.position(); };
+  const auto back = [&](std::size_t from) {
+    double length_m = 0;
+    std::size_t step = from;
+    for (; step > 0 && length_m < options_.corner_m; --step) {
+      length_m += norm(at(step) - at(step - 1));
+    }
+    return step;
+  };
+  const std::size_t last = way_.size() - 1;
+  const std::size_t middle = back(last);
+  const std::size_t first = back(middle);
+  const double shortest_m = 0.5 * options_.corner_m;
+  if (norm(at(last) - at(middle)) < shortest_m || norm(at(middle) - at(first)) < shortest_m) return;
+  if (std::abs(wrapped(direction(at(last) - at(middle)) - direction(at(middle) - at(first)))) <
+      options_.corner_rad) {
     return;
   }
-  for (Sight& sight : sights_) sight.seen_s *= std::exp(-passed_s / options_.memory_s);
-  Sight& sight = sight_of(surroundings_);
-  sight.seen_s += passed_s * (surroundings_.neighbourhood->ends_known ? 1 : options_.half_seen);
-  sight.topology = surroundings_;
-  sight.from = robot_.position();
-  if (stayed_s_ >= options_.stay_s) stayed_in_place_s_ += passed_s;
+  mark(at(middle));
 }
 
-ScanDetector::Sight& ScanDetector::sight_of(const LocalTopology& seen) {
-  for (Sight& sight : sights_) {
-    if (same_star(sight.topology, seen)) return sight;
-  }
-  return sights_.emplace_back();
+void ScanDetector::mark(Point2 spot) {
+  const bool marked = std::any_of(spots_.begin(), spots_.end(), [&](Point2 other) {
+    return norm(other - spot) < options_.stay_m;
+  });
+  if (!marked) spots_.push_back(spot);
 }
 
-const ScanDetector::Sight* ScanDetector::best_sight() const {
-  const Sight* best = nullptr;
-  for (const Sight& sight : sights_) {
-    if (!best || sight.seen_s > best->seen_s) {
-      best = &sight;
+// The star that holds longest along the way near a spot.
+std::optional<ScanDetector::Place> ScanDetector::place_at(Point2 spot) const {
+  const FreeSpace space = free_space(map_.grid(), options_.topology.free_space);
+  const Skeleton lines =
+      skeleton(space, space.frame.cell_at(robot_.position()), options_.topology.skeleton, driven());
+  std::vector<Place> places;
+  const auto place_round = [&](Point2 from) -> std::optional<std::size_t> {
+    std::optional<Neighbourhood> seen = neighbourhood(space, lines, from);
+    if (!seen || seen->gateways.empty() || seen->unknown_border > options_.explored) return {};
+    LocalStar star = local_star(seen->gateways, options_.topology.star);
+    if (is_on_path(star)) return {};
+    LocalTopology topology{{}, {}, std::move(seen), std::move(star)};
+    const auto place = std::find_if(places.begin(), places.end(), [&](const Place& other) {
+      return same_star(other.topology, topology);
+    });
+    const auto number = static_cast<std::size_t>(place - places.begin());
+    if (place == places.end()) places.push_back({std::move(topology), 0, 0});
+    return number;
+  };
+  std::map<std::vector<std::size_t>, std::optional<std::size_t>> place_of_core;
+  const auto look_from = [&](Point2 from, double held_s, bool stopped) {
+    const auto [known, fresh] = place_of_core.try_emplace(core(space, lines, from));
+    if (fresh) known->second = place_round(from);
+    if (!known->second) return;
+    Place& place = places[*known->second];
+    place.held_s += held_s;
+    if (stopped) place.stopped_s += held_s;
+  };
+  for (std::size_t i = 0; i < way_.size();) {
+    const Point2 from = way_[i].map_from_robot.position();
+    double stopped_s = 0;
+    double driven_m = 0;
+    Point2 to = from;
+    for (; i < way_.size() && driven_m < options_.spot_m; ++i) {
+      if (way_[i].stopped) stopped_s += way_[i].passed_s;
+      if (i + 1 == way_.size()) continue;
+      to = way_[i + 1].map_from_robot.position();
+      driven_m += norm(to - way_[i].map_from_robot.position());
+    }
+    if (norm(from - spot) > options_.near_m) continue;
+    if (stopped_s > 0) look_from(from, stopped_s, true);
+    const int looks = std::max(1, static_cast<int>(driven_m / options_.spot_m));
+    for (int look = 0; look < looks; ++look) {
+      look_from(from + (1.0 * look / looks) * (to - from),
+                options_.drive_s_per_m * driven_m / looks, false);
     }
   }
-  return best;
+  const auto longest =
+      std::max_element(places.begin(), places.end(),
+                       [](const Place& a, const Place& b) { return a.held_s < b.held_s; });
+  if (longest == places.end()) return std::nullopt;
+  longest->topology.space = space;
+  longest->topology.skeleton = lines;
+  return *longest;
 }
 
 // The gateway that a point lies beyond by this much, nearest its axis.
-std::optional<std::size_t> ScanDetector::outside(const Sight& place, Point2 point,
+std::optional<std::size_t> ScanDetector::outside(const Place& place, Point2 point,
                                                  double by_m) const {
   std::optional<std::size_t> found;
   double least_m = 0;
@@ -174,7 +250,7 @@ std::optional<std::size_t> ScanDetector::outside(const Sight& place, Point2 poin
 }
 
 // The last time before step `before` that the robot came in: through which gateway, and when.
-std::optional<ScanDetector::Crossing> ScanDetector::entered(const Sight& place,
+std::optional<ScanDetector::Crossing> ScanDetector::entered(const Place& place,
                                                             std::size_t before) const {
   for (std::size_t i = before; i-- > 0;) {
     const auto gateway = outside(place, way_[i].map_from_robot.position(), options_.leave_m);
@@ -190,7 +266,7 @@ std::optional<ScanDetector::Crossing> ScanDetector::entered(const Sight& place,
   return std::nullopt;
 }
 
-std::optional<DetectedVisit> ScanDetector::leave(const Sight& place, std::size_t gateway) {
+std::optional<DetectedVisit> ScanDetector::leave(const Place& place, std::size_t gateway) {
   const auto& gateways = gateways_of(place.topology);
   std::size_t inside = way_.size() - 1;
   while (inside > 0 &&
@@ -198,25 +274,22 @@ std::optional<DetectedVisit> ScanDetector::leave(const Sight& place, std::size_t
     --inside;
   }
   const std::optional<Crossing> in = entered(place, inside);
-  const bool stayed = stayed_in_place_s_ >= options_.hold_s;
-  // Of a place driven through, both the gateways and the robot's heading tell of a turn.
-  const auto turned = [&](double from_rad, double to_rad) {
-    return std::abs(wrapped(to_rad - from_rad)) > options_.turn_off_rad;
-  };
-  const bool turned_off =
-      in && place.seen_s >= options_.hold_s && in->gateway != gateway &&
-      turned(gateways[in->gateway].outward_rad + std::numbers::pi, gateways[gateway].outward_rad) &&
-      turned(way_[in->inside].map_from_robot.heading_rad, robot_.heading_rad);
-  std::optional<DetectedVisit> result;
-  if ((stayed || turned_off) && (in || !last_visit_)) {
-    result = visit(place, in, Crossing{gateway, inside});
-    way_.erase(way_.begin(), way_.begin() + static_cast<std::ptrdiff_t>(inside));
-  }
-  forget();
+  // Driven through, a place counts if the robot turned there into another path.
+  const LocalStar& local = *place.topology.star;
+  const auto path = [&](std::size_t of) { return local.star.arm(local.arm_of_gateway[of]).label; };
+  const bool stopped = place.stopped_s >= options_.hold_s;
+  const bool changed_paths = in && place.held_s >= options_.hold_s &&
+                             path(in->gateway) != path(gateway) &&
+                             std::abs(wrapped(gateways[in->gateway].outward_rad + std::numbers::pi -
+                                              gateways[gateway].outward_rad)) > options_.corner_rad;
+  spots_.clear();
+  if ((!stopped && !changed_paths) || (!in && last_visit_)) return std::nullopt;
+  DetectedVisit result = visit(place, in, Crossing{gateway, inside});
+  way_.erase(way_.begin(), way_.begin() + static_cast<std::ptrdiff_t>(inside));
   return result;
 }
 
-DetectedVisit ScanDetector::visit(const Sight& place, std::optional<Crossing> in,
+DetectedVisit ScanDetector::visit(const Place& place, std::optional<Crossing> in,
                                   std::optional<Crossing> out) {
   const LocalStar& local = *place.topology.star;
   const auto& gateways = gateways_of(place.topology);
@@ -251,13 +324,16 @@ DetectedVisit ScanDetector::visit(const Sight& place, std::optional<Crossing> in
 }
 
 std::optional<DetectedVisit> ScanDetector::finish() {
-  const Sight* const place = best_sight();
-  if (!place || stayed_in_place_s_ < options_.hold_s) return std::nullopt;
-  const std::optional<Crossing> in = entered(*place, way_.size());
-  if (!in && last_visit_) return std::nullopt;
-  DetectedVisit last = visit(*place, in, std::nullopt);
-  forget();
-  return last;
+  while (!spots_.empty()) {
+    const std::optional<Place> place = place_at(spots_.front());
+    spots_.erase(spots_.begin());
+    if (!place || place->stopped_s < options_.hold_s) continue;
+    const std::optional<Crossing> in = entered(*place, way_.size());
+    if (!in && last_visit_) continue;
+    spots_.clear();
+    return visit(*place, in, std::nullopt);
+  }
+  return std::nullopt;
 }
 
 }  // namespace asterism

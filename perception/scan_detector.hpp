@@ -23,14 +23,16 @@ struct ScanDetectorOptions {
   double blurred_rad = 0.12;  ///< a scan during which the robot turned more is not drawn
 
   // Place or path.
-  double stay_m = 0.5;        ///< the robot stays while it keeps within this of one spot
+  double stay_m = 0.5;        ///< the robot stops where it keeps within this of one spot
   double stay_s = 4;          ///< ... for this long
-  double hold_s = 2;          ///< a star counts once it was seen for so long
-  double half_seen = 0.2;     ///< ... weighs this where a gateway's end is still unknown
-  double memory_s = 10;       ///< ... a later look, which knows more, outweighs an earlier one
+  double corner_m = 3;        ///< the robot turns a corner where its way so far before and behind
+  double corner_rad = 0.8;    ///< ... differs by this much
+  double near_m = 4;          ///< a place's star is looked at from the way so near to its spot
+  double spot_m = 0.2;        ///< ... every so far
+  double hold_s = 2;          ///< a star counts if it holds where the robot was for so long
+  double drive_s_per_m = 4;   ///< ... a metre driven counting as much as this
   double explored = 0.12;     ///< ... with no more than this share of the border unknown
   double leave_m = 2.0;       ///< so far out of a gateway the robot has left; nearer is a poke
-  double turn_off_rad = 1.1;  ///< a place driven through counts if the robot turned off there
 };
 
 /// The detector that ships: local perceptual map, localisation, gateways, stars.
@@ -61,12 +63,14 @@ class ScanDetector final : public PlaceDetector {
     long long scan = 0;
     double stamp_s = 0;
     Pose2 map_from_robot = {};
+    double passed_s = 0;   ///< until the next
+    bool stopped = false;  ///< at a stop
   };
-  // A star seen for some time, and its gateways as seen last.
-  struct Sight {
-    double seen_s = 0;  ///< what is long past, or was half seen, counts less
+  // The place round a spot, as the map shows it.
+  struct Place {
     LocalTopology topology = {};
-    Point2 from = {};
+    double held_s = 0;    ///< time, and way, from which its star is seen
+    double stopped_s = 0;  ///< of that, at a stop
   };
   struct Crossing {
     std::size_t gateway = 0;
@@ -74,14 +78,16 @@ class ScanDetector final : public PlaceDetector {
   };
 
   void follow(const Scan& scan);
-  void look(double passed_s);
-  Sight& sight_of(const LocalTopology& seen);
-  void forget();
-  const Sight* best_sight() const;
-  std::optional<std::size_t> outside(const Sight& place, Point2 point, double by_m) const;
-  std::optional<Crossing> entered(const Sight& place, std::size_t before) const;
-  std::optional<DetectedVisit> leave(const Sight& place, std::size_t gateway);
-  DetectedVisit visit(const Sight& place, std::optional<Crossing> in, std::optional<Crossing> out);
+  void look();
+  std::vector<Point2> driven() const;
+  void find_stop(double passed_s);
+  void find_corner();
+  void mark(Point2 spot);
+  std::optional<Place> place_at(Point2 spot) const;
+  std::optional<std::size_t> outside(const Place& place, Point2 point, double by_m) const;
+  std::optional<Crossing> entered(const Place& place, std::size_t before) const;
+  std::optional<DetectedVisit> leave(const Place& place, std::size_t gateway);
+  DetectedVisit visit(const Place& place, std::optional<Crossing> in, std::optional<Crossing> out);
 
   ScanDetectorOptions options_;
   LocalPerceptualMap map_;
@@ -97,8 +103,8 @@ class ScanDetector final : public PlaceDetector {
   double stayed_s_ = 0;
 
   bool fixed_ = false;  ///< a possible place: the map does not scroll
-  std::vector<Sight> sights_;
-  double stayed_in_place_s_ = 0;     ///< how long the robot stayed while it saw a place
+  std::vector<Point2> spots_;  ///< since the last visit, where the robot stopped or turned a corner
+  std::optional<Point2> judged_from_;  ///< where the robot was when the spots were looked at last
   std::optional<Pose2> last_visit_;  ///< map_from_visit
   std::optional<PlaceView> last_place_;
 };

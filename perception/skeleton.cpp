@@ -22,6 +22,7 @@ BitRows roomy_cells(const FreeSpace& space, double half_width_m, std::span<const
   const SightLines sight_lines(space);
   for (const Point2 point : driven) {
     const Cell at = sight_lines.cell_at(point);
+    if (space.is_free(at)) roomy.set(at);
     for (const Cell step : kRing) {
       if (space.is_free(at + step)) roomy.set(at + step);
     }
