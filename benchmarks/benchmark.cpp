@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "benchmarks/perception.hpp"
 #include "benchmarks/tables.hpp"
 #include "benchmarks/traces.hpp"
 #include "io/atomic_file.hpp"
@@ -31,7 +34,26 @@ std::vector<KnownCase> simulated_cases(std::uint64_t most_maps) {
   return cases;
 }
 
+/// ASTERISM_DATA, or where it lies beside the sources.
+std::string data_folder() {
+  const char* const folder = std::getenv("ASTERISM_DATA");
+  return folder ? folder : std::filesystem::path(ASTERISM_SOURCE_DIR).parent_path() / "shared/data";
+}
+
+void add_map_tables(Report& report, const Scale& scale, const Programs& programs, bool smoke) {
+  const std::vector<KnownCase> shared = shared_cases();
+  const auto small = std::ranges::find(shared, "eight-crossings",
+                                       [](const KnownCase& known) { return known.trace.name; });
+  const std::vector<KnownCase> simulated = simulated_cases(smoke ? 2000 : UINT64_MAX);
+  std::vector<KnownCase> listed{*small};
+  listed.insert(listed.end(), simulated.begin(), simulated.end());
+  add_listing_table(report, scale, programs, listed);
+  add_online_table(report, scale, simulated);
+  add_solver_table(report, scale, smoke ? std::span(&*small, 1) : std::span(shared));
+}
+
 int run(int argc, char** argv) {
+  bool perception = false;
   bool quick = false;
   bool smoke = false;
   std::string output;
@@ -39,6 +61,7 @@ int run(int argc, char** argv) {
   CLI::App app("Measures Asterism beside other programs; fails where they count otherwise");
   app.add_flag("--quick", quick, "without clingo on the largest trace");
   app.add_flag("--smoke", smoke, "the smallest traces alone, once: are the counts right?");
+  app.add_flag("--perception", perception, "perception alone, without any count");
   app.add_option("--output", output, "Markdown file to write; stdout where not given");
   app.add_option("--asterism", program, "the program to measure")->capture_default_str();
   try {
@@ -52,17 +75,9 @@ int run(int argc, char** argv) {
                       : quick ? Scale{.most_clingo = 200'000}
                               : Scale{};
   const Programs programs(program, ASTERISM_SOURCE_DIR "/benchmarks");
-  const std::vector<KnownCase> shared = shared_cases();
-  const auto small = std::ranges::find(shared, "eight-crossings",
-                                       [](const KnownCase& known) { return known.trace.name; });
-  const std::vector<KnownCase> simulated = simulated_cases(smoke ? 2000 : UINT64_MAX);
-  std::vector<KnownCase> listed{*small};
-  listed.insert(listed.end(), simulated.begin(), simulated.end());
-
   Report report;
-  add_listing_table(report, scale, programs, listed);
-  add_online_table(report, scale, simulated);
-  add_solver_table(report, scale, smoke ? std::span(&*small, 1) : std::span(shared));
+  if (!perception) add_map_tables(report, scale, programs, smoke);
+  add_perception_table(report, perception_cases(data_folder()), smoke ? 300 : SIZE_MAX);
   output.empty() ? fmt::print("{}", report.markdown())
                  : write_atomically(output, report.markdown());
   return report.counts_agree() ? 0 : 1;
