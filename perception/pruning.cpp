@@ -71,6 +71,22 @@ class Pruner {
         keep_if_long(link(start, next, trunk, seen), trunk);
       }
     }
+    // Rings without a fork.
+    for (std::size_t start = 0; start < skeleton_.points.size(); ++start) {
+      if (!trunk[start] || seen[start] || is_fork(start, trunk)) continue;
+      Points line{start};
+      for (bool more = true; more;) {
+        seen[line.back()] = true;
+        more = false;
+        for (const std::size_t next : skeleton_.points[line.back()].neighbours) {
+          if (more || !trunk[next] || seen[next]) continue;
+          line.push_back(next);
+          more = true;
+        }
+      }
+      line.push_back(start);
+      keep_if_long(line, trunk);
+    }
   }
 
   // Branches that end in a dead end worth a place.

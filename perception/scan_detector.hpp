@@ -23,16 +23,16 @@ struct ScanDetectorOptions {
   double blurred_rad = 0.12;  ///< a scan during which the robot turned more is not drawn
 
   // Place or path.
-  double stay_m = 0.5;        ///< the robot stops where it keeps within this of one spot
-  double stay_s = 4;          ///< ... for this long
-  double corner_m = 3;        ///< the robot turns a corner where its way so far before and behind
-  double corner_rad = 0.8;    ///< ... differs by this much
-  double near_m = 4;          ///< a place's star is looked at from the way so near to its spot
-  double spot_m = 0.2;        ///< ... every so far
-  double hold_s = 2;          ///< a star counts if it holds where the robot was for so long
-  double drive_s_per_m = 4;   ///< ... a metre driven counting as much as this
-  double explored = 0.12;     ///< ... with no more than this share of the border unknown
-  double leave_m = 2.0;       ///< so far out of a gateway the robot has left; nearer is a poke
+  double stay_m = 0.5;       ///< the robot stops where it keeps within this of one spot
+  double stay_s = 4;         ///< ... for this long
+  double corner_m = 3;       ///< the robot turns a corner where its way so far before and behind
+  double corner_rad = 0.8;   ///< ... differs by this much
+  double near_m = 4;         ///< a place's star is looked at from the way so near to its spot
+  double spot_m = 0.2;       ///< ... every so far
+  double hold_s = 2;         ///< a star counts if it holds where the robot was for so long
+  double drive_s_per_m = 4;  ///< ... a metre driven counting as much as this
+  double explored = 0.12;    ///< ... with no more than this share of the border unknown
+  double leave_m = 2.0;      ///< so far out of a gateway the robot has left; nearer is a poke
 };
 
 /// The detector that ships: local perceptual map, localisation, gateways, stars.
@@ -69,7 +69,7 @@ class ScanDetector final : public PlaceDetector {
   // The place round a spot, as the map shows it.
   struct Place {
     LocalTopology topology = {};
-    double held_s = 0;    ///< time, and way, from which its star is seen
+    double held_s = 0;     ///< time, and way, from which its star is seen
     double stopped_s = 0;  ///< of that, at a stop
   };
   struct Crossing {
@@ -102,10 +102,10 @@ class ScanDetector final : public PlaceDetector {
   Point2 anchor_ = {};  ///< the spot the robot stays at
   double stayed_s_ = 0;
 
-  bool fixed_ = false;  ///< a possible place: the map does not scroll
+  bool fixed_ = false;         ///< a possible place: the map does not scroll
   std::vector<Point2> spots_;  ///< since the last visit, where the robot stopped or turned a corner
   std::optional<Point2> judged_from_;  ///< where the robot was when the spots were looked at last
-  std::optional<Pose2> last_visit_;  ///< map_from_visit
+  std::optional<Pose2> last_visit_;    ///< map_from_visit
   std::optional<PlaceView> last_place_;
 };
 
