@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <utility>
 
 #include "core/random.hpp"
 #include "tests/support/catch.hpp"
@@ -149,6 +150,36 @@ TEST_CASE("gaps between beams are filled, never through a wall", "[perception]")
   fill(wall, {0, 19}, 40, 1, kWall);
   fill(wall, {0, 21}, 40, 19, kFree);
   CHECK_FALSE(free_space(wall).is_free({20, 20}));
+}
+
+TEST_CASE("gaps are those found cell by cell", "[perception][property]") {
+  RandomEngine random(3);
+  for (int world = 0; world < 60; ++world) {
+    Grid grid = filled(1 + static_cast<int>(below(140, random)), 30, 0.0F);
+    const double free = uniform(random);
+    for (float& log_odds : grid.log_odds) {
+      log_odds = chance(free, random) ? kFree : chance(0.2, random) ? kWall : 0.0F;
+    }
+    const auto is = [&](Cell cell, float what) {
+      return grid.contains(cell) && grid.log_odds[grid.index(cell)] == what;
+    };
+    const auto free_towards = [&](Cell cell, int right, int up) {
+      const Cell next{cell.column + right, cell.row + up};
+      return is(next, kFree) || (is(next, 0.0F) && is({next.column + right, next.row + up}, kFree));
+    };
+    const FreeSpace space = free_space(grid, {.island_max_m = 0});
+    for (int row = 0; row < grid.height; ++row) {
+      for (int column = 0; column < grid.width; ++column) {
+        const Cell cell{column, row};
+        bool gap = false;
+        for (const auto& [right, up] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}}) {
+          gap = gap || (free_towards(cell, right, up) && free_towards(cell, -right, -up));
+        }
+        CAPTURE(world, grid.width, column, row);
+        REQUIRE(space.is_free(cell) == (is(cell, kFree) || (is(cell, 0.0F) && gap)));
+      }
+    }
+  }
 }
 
 TEST_CASE("a corridor of n cells has a clearance of half its width", "[perception]") {
