@@ -9,7 +9,6 @@ namespace asterism {
 namespace {
 
 constexpr double kNear = 1.25;  // radii from which, with the reach, a point is near an opening
-constexpr int kLine = 10;       // points from which a line's direction is taken
 
 double reach_m(double radius_m, const SkeletonOptions& options) {
   return 1.5 * radius_m + options.exit_reach_m;
@@ -48,21 +47,6 @@ std::vector<Extent> extents(const Pieces& frontier) {
   return extents;
 }
 
-// A cell some way back on the line of an end.
-Cell before_end(std::size_t end, const std::vector<SkeletonPoint>& points) {
-  std::size_t before = end;
-  std::size_t at = end;
-  for (int steps = 0; steps < kLine; ++steps) {
-    const Neighbours& near = points[at].neighbours;
-    const auto next =
-        std::find_if(near.begin(), near.end(), [&](std::size_t other) { return other != before; });
-    if (next == near.end() || near.size() > 2) break;
-    before = at;
-    at = *next;
-  }
-  return points[at].cell;
-}
-
 // The set cell nearest `to`, at most `reach` rows and columns away.
 std::optional<Cell> nearest_cell(const BitRows& picture, Cell to, int reach) {
   std::optional<Cell> nearest;
@@ -96,10 +80,9 @@ std::vector<std::optional<std::size_t>> exits_at(const Frontier& frontier, const
   std::vector<double> widest_m(exits.size(), least_width_m(options));
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!is_end(lines, points[i].cell)) continue;
-    const double reach = reach_m(points[i].radius_m, options);
-    const Frontier::Opening opening = frontier.opening_at(points[i].cell, reach);
+    const Frontier::Opening opening =
+        frontier.opening_at(points[i].cell, reach_m(points[i].radius_m, options));
     if (!opening.piece || opening.width_m < widest_m[*opening.piece]) continue;
-    if (frontier.is_walled(points[i].cell, before_end(i, points), reach)) continue;
     widest_m[*opening.piece] = opening.width_m;
     exits[*opening.piece] = i;
   }

@@ -8,9 +8,6 @@ namespace asterism {
 namespace {
 
 constexpr int kDirections = 120;
-constexpr int kRaysAhead = 15;      // each side
-constexpr double kAhead_rad = 0.8;  // so far to each side counts as ahead
-constexpr double kWalled = 0.7;     // share of rays that end at a wall
 
 std::array<Point2, kDirections> all_directions() {
   std::array<Point2, kDirections> directions;
@@ -94,20 +91,6 @@ Frontier::Opening Frontier::opening_at(Cell end, double reach_m) const {
     }
   }
   return widest;
-}
-
-bool Frontier::is_walled(Cell end, Cell before, double reach_m) const {
-  const Point2 from = space_.frame.centre(end);
-  if (end == before) return false;
-  const double middle_rad = direction(from - space_.frame.centre(before));
-  const int reach = static_cast<int>(reach_m / sight_lines_.step_m());
-  int walls = 0;
-  for (int ray = -kRaysAhead; ray <= kRaysAhead; ++ray) {
-    const Point2 along = unit_vector(middle_rad + kAhead_rad * ray / kRaysAhead);
-    const int steps = sight_lines_.free_steps(from, along, reach);
-    walls += steps < reach && space_.occupied.has(sight_lines_.line(from, along).cell_at(steps));
-  }
-  return walls >= kWalled * (2 * kRaysAhead + 1);
 }
 
 }  // namespace asterism

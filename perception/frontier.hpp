@@ -19,9 +19,6 @@ class Frontier {
     std::optional<std::size_t> piece = {};  ///< of the frontier; nothing: grazes the unknown
   };
   Opening opening_at(Cell end, double reach_m) const;
-  /// Whether a wall, and little else, lies ahead of a line's end, seen from a cell of it before.
-  /// Along a stub the walls are seen so flat that they have gaps; these are no way out.
-  bool is_walled(Cell end, Cell before, double reach_m) const;
 
   const Pieces& pieces() const noexcept { return pieces_; }
 

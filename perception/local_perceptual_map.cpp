@@ -8,6 +8,15 @@ namespace asterism {
 namespace {
 
 constexpr int kBridged = 5;  // so many beams without a return between two with one are free space
+constexpr double kWallGap_m = 0.9;  // returns of neighbouring beams so far apart may be one wall
+constexpr double kStraight_rad = 0.15;
+constexpr double kFootprint_m = 0.25;  // where the robot stands is free
+
+bool is_straight(Point2 before, Point2 corner, Point2 after) {
+  const Point2 come = corner - before;
+  const Point2 go = after - corner;
+  return dot(come, go) > std::cos(kStraight_rad) * norm(come) * norm(go);
+}
 
 }  // namespace
 
@@ -51,18 +60,25 @@ void LocalPerceptualMap::update(const Scan& scan, const Pose2& map_from_robot) {
     return grid_.cell_at(map_from_laser * (range_m * unit_vector(beam_rad)));
   };
   ends_.clear();
+  wall_.clear();
   double last_m = 0;          // range of the last return
   int missed = kBridged + 1;  // beams since then
   for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam) {
     // No return at all may be glass or a black wall: nothing is said about its cells.
     if (scan.ranges_m[beam] >= scan.laser.max_range_m) {
       ++missed;
+      draw_wall();
       continue;
     }
     const double range_m = std::min(scan.ranges_m[beam], options_.usable_range_m);
     const double beam_rad = scan.laser.beam_rad(beam);
     ends_.push_back(end_of(beam_rad, range_m));
-    if (range_m == scan.ranges_m[beam]) add(ends_.back(), options_.hit);
+    if (range_m == scan.ranges_m[beam]) {
+      add(ends_.back(), options_.hit);
+      wall_.push_back(map_from_laser * (range_m * unit_vector(beam_rad)));
+    } else {
+      draw_wall();
+    }
     // Between two returns space is free as far as the nearer one: no streaks between far beams.
     if (missed <= kBridged) {
       const double nearer_m = std::min(last_m, range_m) - grid_.resolution_m;
@@ -75,7 +91,36 @@ void LocalPerceptualMap::update(const Scan& scan, const Pose2& map_from_robot) {
     last_m = range_m;
     missed = 0;
   }
+  draw_wall();
   for (const Cell end : ends_) trace(from, end);
+  draw_footprint(map_from_robot.position());
+}
+
+// Seen flat, a wall returns few beams: between two of them that lie in line with a third it goes
+// on.
+void LocalPerceptualMap::draw_wall() {
+  for (std::size_t i = 0; i + 1 < wall_.size(); ++i) {
+    const Point2 gap = wall_[i + 1] - wall_[i];
+    const int steps = static_cast<int>(norm(gap) / (0.5 * grid_.resolution_m));
+    if (steps < 3 || norm(gap) > kWallGap_m) continue;
+    const bool straight =
+        (i > 0 && is_straight(wall_[i - 1], wall_[i], wall_[i + 1])) ||
+        (i + 2 < wall_.size() && is_straight(wall_[i], wall_[i + 1], wall_[i + 2]));
+    for (int step = 1; straight && step < steps; ++step) {
+      add(grid_.cell_at(wall_[i] + (1.0 * step / steps) * gap), options_.hit);
+    }
+  }
+  wall_.clear();
+}
+
+void LocalPerceptualMap::draw_footprint(Point2 robot) {
+  const int reach = static_cast<int>(kFootprint_m / grid_.resolution_m);
+  const Cell at = grid_.cell_at(robot);
+  for (int up = -reach; up <= reach; ++up) {
+    for (int right = -reach; right <= reach; ++right) {
+      add({at.column + right, at.row + up}, options_.miss);
+    }
+  }
 }
 
 // Bresenham's line, without its last cell.

@@ -38,13 +38,16 @@ class LocalPerceptualMap {
 
  private:
   void trace(Cell from, Cell to);
+  void draw_wall();
+  void draw_footprint(Point2 robot);
   void add(Cell cell, double log_odds);
 
   LpmOptions options_;
   Grid grid_;
   std::vector<std::uint32_t> drawn_;  ///< number of the scan that touched the cell last
   std::uint32_t scan_ = 0;
-  std::vector<Cell> ends_;  ///< working space of update
+  std::vector<Cell> ends_;         ///< working space of update
+  std::vector<Point2> wall_ = {};  ///< returns of beams side by side, the same
 };
 
 }  // namespace asterism
