@@ -12,8 +12,8 @@ namespace {
 constexpr int kSmoothing = 3;         // points either side over which r_p is averaged
 constexpr double kPlateau = -0.06;    // change of r_p a metre from which a branch narrows no more
 constexpr double kAxisSearch = 40;    // degrees either side of the skeleton's direction
-constexpr double kAxisRange_m = 5;    // how far a gateway looks outwards for its axis
-constexpr double kChord = 1.5;        // weight of the chord's length against the depth
+constexpr double kAxisRange_m = 10;    // how far a gateway looks outwards for its axis
+constexpr double kChord = 1.0;        // weight of the chord's length against the depth
 constexpr double kNearlyBest = 0.05;  // how much worse a direction still counts
 constexpr double kLoop_m = 10;        // a way that comes back to the core sooner leads nowhere
 constexpr int kWall = 2;              // cells round a gateway's end in which a wall is looked for
@@ -180,7 +180,7 @@ class Finder {
   }
 
   Gateway gateway(const std::vector<std::size_t>& line, std::size_t m) const {
-    const std::size_t beyond = std::min(line.size() - 1, m + 10);
+    const std::size_t beyond = std::min(line.size() - 1, m + 25);
     const std::size_t before = m >= 5 ? m - 5 : 0;
     const Point2 along = at(line[beyond]) - at(line[before]);
     return with_axis(line[m], norm(along) > 0 ? direction(along) : 0);

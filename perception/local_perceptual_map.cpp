@@ -102,7 +102,7 @@ void LocalPerceptualMap::draw_wall() {
   for (std::size_t i = 0; i + 1 < wall_.size(); ++i) {
     const Point2 gap = wall_[i + 1] - wall_[i];
     const int steps = static_cast<int>(norm(gap) / (0.5 * grid_.resolution_m));
-    if (steps < 3 || norm(gap) > kWallGap_m) continue;
+    if (steps < 2 || norm(gap) > kWallGap_m) continue;
     const bool straight =
         (i > 0 && is_straight(wall_[i - 1], wall_[i], wall_[i + 1])) ||
         (i + 2 < wall_.size() && is_straight(wall_[i], wall_[i + 1], wall_[i + 2]));

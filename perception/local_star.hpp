@@ -8,7 +8,7 @@
 namespace asterism {
 
 struct LocalStarOptions {
-  double slack_rad = 0.17;    ///< a ray this far off another gateway still crosses it
+  double slack_rad = 0.30;    ///< a ray this far off another gateway still crosses it
   double max_bend_rad = 0.6;  ///< a path's two gateways face away from each other within this
 };
 

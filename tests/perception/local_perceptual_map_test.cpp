@@ -55,7 +55,39 @@ TEST_CASE("a beam without a return says nothing", "[perception]") {
   LocalPerceptualMap map({});
   map.update(beam(30, 30), {});
   map.update(beam(31, 30), {});
-  CHECK(map.grid() == LocalPerceptualMap({}).grid());
+  const Grid& grid = map.grid();
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      const Cell cell{column, row};
+      if (norm(grid.centre(cell)) < 0.5) continue;  // where the robot stands
+      CAPTURE(column, row);
+      REQUIRE(grid.log_odds[grid.index(cell)] == 0);
+    }
+  }
+  CHECK(log_odds(grid, {0, 0}) < 0);
+}
+
+TEST_CASE("a wall seen flat has no gaps, a door has one", "[perception]") {
+  // A wall 1 m to the left, seen ahead of the robot; a door is an opening in it.
+  const double door_m = GENERATE(0.0, 1.0);
+  Scan scan{.laser = {.first_beam_rad = 0.02, .beam_step_rad = 0.02, .max_range_m = 30}};
+  for (std::size_t i = 0; i < 30; ++i) {
+    const double sine = std::sin(scan.laser.beam_rad(i));
+    const double along_m = std::cos(scan.laser.beam_rad(i)) / sine;
+    const bool through = std::abs(along_m - 4) < door_m / 2;
+    scan.ranges_m.push_back((through ? 2 : 1) / sine);
+  }
+  LocalPerceptualMap map({});
+  map.update(scan, {});
+  std::size_t gaps = 0;
+  for (double x_m = 2.05; x_m < 6; x_m += 0.1) {
+    const double wall =
+        std::max(log_odds(map.grid(), {x_m, 0.95}), log_odds(map.grid(), {x_m, 1.05}));
+    gaps += wall <= 0;
+  }
+  CAPTURE(door_m);
+  if (door_m == 0) CHECK(gaps == 0);
+  if (door_m > 0) CHECK(gaps >= 7);
 }
 
 TEST_CASE("a return from beyond the usable range frees space and marks no wall", "[perception]") {
