@@ -29,6 +29,7 @@ LocalPerceptualMap::LocalPerceptualMap(const LpmOptions& options) : options_(opt
            .frame_from_grid = {-half_m, -half_m, 0},
            .log_odds = std::vector<float>(cells * cells, 0.0F)};
   drawn_.assign(cells * cells, 0);
+  walls_.assign(cells * cells, {});
 }
 
 void LocalPerceptualMap::scroll_to(Point2 robot) {
@@ -38,6 +39,8 @@ void LocalPerceptualMap::scroll_to(Point2 robot) {
   if (right == 0 && up == 0) return;
 
   std::vector<float> moved(grid_.log_odds.size(), 0.0F);
+  std::vector<WallPoint> moved_walls(walls_.size());
+  ++version_;
   const int first = std::max(0, -right);
   const int last = std::min(grid_.width, grid_.width - right);
   for (int row = std::max(0, -up); row < std::min(grid_.height, grid_.height - up); ++row) {
@@ -46,14 +49,20 @@ void LocalPerceptualMap::scroll_to(Point2 robot) {
                       static_cast<std::ptrdiff_t>(grid_.index({first + right, row + up}));
     std::copy(from, from + (last - first),
               moved.begin() + static_cast<std::ptrdiff_t>(grid_.index({first, row})));
+    const auto wall =
+        walls_.begin() + static_cast<std::ptrdiff_t>(grid_.index({first + right, row + up}));
+    std::copy(wall, wall + (last - first),
+              moved_walls.begin() + static_cast<std::ptrdiff_t>(grid_.index({first, row})));
   }
   grid_.log_odds = std::move(moved);
+  walls_ = std::move(moved_walls);
   grid_.frame_from_grid.x_m += right * grid_.resolution_m;
   grid_.frame_from_grid.y_m += up * grid_.resolution_m;
 }
 
 void LocalPerceptualMap::update(const Scan& scan, const Pose2& map_from_robot) {
   ++scan_;
+  ++version_;
   const Pose2 map_from_laser = map_from_robot * scan.laser.robot_from_laser;
   const Cell from = grid_.cell_at(map_from_laser.position());
   const auto end_of = [&](double beam_rad, double range_m) {
@@ -76,6 +85,7 @@ void LocalPerceptualMap::update(const Scan& scan, const Pose2& map_from_robot) {
     if (range_m == scan.ranges_m[beam]) {
       add(ends_.back(), options_.hit);
       wall_.push_back(map_from_laser * (range_m * unit_vector(beam_rad)));
+      add_return(ends_.back(), wall_.back());
     } else {
       draw_wall();
     }
@@ -143,6 +153,14 @@ void LocalPerceptualMap::trace(Cell from, Cell to) {
       cell.row += up;
     }
   }
+}
+
+void LocalPerceptualMap::add_return(Cell cell, Point2 point) {
+  if (!grid_.contains(cell)) return;
+  WallPoint& wall = walls_[grid_.index(cell)];
+  if (wall.returns >= options_.most_returns) return;
+  ++wall.returns;
+  wall.mean = wall.mean + (1.0 / wall.returns) * (point - wall.mean);
 }
 
 void LocalPerceptualMap::add(Cell cell, double log_odds) {

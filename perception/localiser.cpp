@@ -8,15 +8,49 @@ namespace {
 
 constexpr float kOccupied = 0.5F;  // log-odds from which a cell is taken for a wall
 
+double squared(double x) { return x * x; }
+
 }  // namespace
 
 Localiser::Localiser(const LocaliserOptions& options, const Pose2& start)
     : options_(options),
+      fit_(options.fit),
       particles_(options.particles, Particle{start, 0}),
       last_(start),
       random_(1) {}
 
-Localiser::Estimate Localiser::observe(const Scan& scan, const Grid& map) {
+Localiser::Estimate Localiser::observe(const Scan& scan, const LocalPerceptualMap& map) {
+  take_returns(scan);
+  if (!odom_from_last_) {
+    odom_from_last_ = scan.odom_from_robot;
+    return {.map_from_robot = last_};
+  }
+  if (version_ != map.version()) {
+    version_ = map.version();
+    draw_field(map.grid());
+    fit_.draw(map);
+  }
+  const Step step = step_to(scan.odom_from_robot);
+  const ScanFit::Fit found = locate(step);
+
+  Estimate estimate{.map_from_robot = found.map_from_robot, .match = match(found.map_from_robot)};
+  const Pose2 moved = inverse(last_) * found.map_from_robot;
+  estimate.turned_rad = moved.heading_rad;
+  PoseCovariance by_chance = found.covariance;
+  SmallMotion by_wheels = {};  // as far as the fit left it to them
+  const SmallMotion driven{step.motion.x_m, step.motion.y_m, 0};
+  const double share = options_.drift_per_m * norm(moved.position());
+  for (std::size_t i = 0; i < by_chance.size(); ++i) {
+    by_wheels[i / 3] += by_chance[i] * driven[i % 3] / squared(step.sigma_m);
+    by_chance[i] *= share;
+  }
+  drift_ = drifted(drift_, found.map_from_robot, by_chance, by_wheels);
+  estimate.drift = drift_;
+  last_ = found.map_from_robot;
+  return estimate;
+}
+
+void Localiser::take_returns(const Scan& scan) {
   returns_.clear();
   const std::size_t step = std::max<std::size_t>(1, scan.ranges_m.size() / options_.beams);
   for (std::size_t beam = 0; beam < scan.ranges_m.size(); beam += step) {
@@ -25,57 +59,71 @@ Localiser::Estimate Localiser::observe(const Scan& scan, const Grid& map) {
     returns_.push_back(scan.laser.robot_from_laser *
                        (range_m * unit_vector(scan.laser.beam_rad(beam))));
   }
-  if (!odom_from_last_) {
-    odom_from_last_ = scan.odom_from_robot;
-    return {last_, 1, 0};
-  }
-  draw_field(map);
+}
 
-  const Pose2 step_taken = inverse(*odom_from_last_) * scan.odom_from_robot;
-  odom_from_last_ = scan.odom_from_robot;
-  const Pose2 by_odometry = last_ * step_taken;
-  const double driven_m = norm(step_taken.position());
-  const double sigma_m = options_.least_noise_m + options_.noise_per_m * driven_m;
-  const double sigma_rad = options_.least_heading_noise_rad +
-                           options_.heading_noise_per_m_rad * driven_m +
-                           options_.heading_noise_per_rad * std::abs(step_taken.heading_rad);
-  const auto moved = [&](const Pose2& from, double width_rad) {
-    return from * Pose2{step_taken.x_m + sigma_m * normal(random_),
-                        step_taken.y_m + sigma_m * normal(random_),
-                        wrapped(step_taken.heading_rad + width_rad * normal(random_))};
-  };
-  const auto weigh = [&](double width_rad) {
-    std::size_t best = 0;
-    std::vector<double> matches(particles_.size());
-    for (std::size_t i = 0; i < particles_.size(); ++i) {
-      // The first particle follows the odometry from the most likely pose, without noise.
-      particles_[i].pose = i == 0 ? by_odometry : moved(particles_[i].pose, width_rad);
-      matches[i] = match(particles_[i].pose);
-      if (matches[i] > matches[best]) best = i;
-    }
-    for (std::size_t i = 0; i < particles_.size(); ++i) {
-      particles_[i].weight = options_.gain * matches[i];
-    }
-    return std::pair{particles_[best].pose, matches[best]};
-  };
-  const std::vector<Particle> before = particles_;
-  auto [best, best_match] = weigh(sigma_rad);
-  best = climb(best, by_odometry, best_match);
-  if (best_match < options_.poor_match && !returns_.empty()) {
-    particles_ = before;
-    auto [other, other_match] = weigh(std::max(sigma_rad, options_.wide_heading_rad));
-    other = climb(other, by_odometry, other_match);
-    if (other_match > best_match) {
-      best = other;
-      best_match = other_match;
+Localiser::Step Localiser::step_to(const Pose2& odom_from_robot) {
+  const Pose2 motion = inverse(*odom_from_last_) * odom_from_robot;
+  odom_from_last_ = odom_from_robot;
+  const double driven_m = norm(motion.position());
+  return {motion, options_.least_noise_m + options_.noise_per_m * driven_m,
+          options_.least_heading_noise_rad + options_.heading_noise_per_m_rad * driven_m +
+              options_.heading_noise_per_rad * std::abs(motion.heading_rad)};
+}
+
+ScanFit::Fit Localiser::locate(const Step& step) {
+  const Pose2 by_odometry = last_ * step.motion;
+  particles_before_ = particles_;
+  const Pose2 likeliest = weigh(step, step.sigma_rad);
+  ScanFit::Fit best{.map_from_robot = by_odometry};
+  for (std::size_t i = 0; i < 3; ++i) {
+    best.covariance[4 * i] = squared(i < 2 ? step.sigma_m : step.sigma_rad);
+  }
+  if (!returns_.empty()) {
+    const double per_m2 = 1 / squared(step.sigma_m);
+    const SmallMotion information{per_m2, per_m2, 1 / squared(step.sigma_rad)};
+    const auto fit_from = [&](const Pose2& start) {
+      return fit_.fit(returns_, start, by_odometry, information);
+    };
+    const auto cheaper = [](const ScanFit::Fit& a, const ScanFit::Fit& b) {
+      return a.cost < b.cost ? a : b;
+    };
+    best = cheaper(fit_from(likeliest), fit_from(by_odometry));
+    if (match(best.map_from_robot) < options_.poor_match) {
+      std::vector<Particle> narrow = particles_;
+      particles_ = particles_before_;
+      const ScanFit::Fit wide =
+          fit_from(weigh(step, std::max(step.sigma_rad, options_.wide_heading_rad)));
+      if (wide.cost < best.cost) {
+        best = wide;
+      } else {
+        particles_ = std::move(narrow);
+      }
     }
   }
   resample();
-  particles_.back().pose = best;
+  particles_.back().pose = best.map_from_robot;
+  return best;
+}
 
-  const double turned_rad = wrapped(best.heading_rad - last_.heading_rad);
-  last_ = best;
-  return {best, best_match, turned_rad};
+// Moves the particles and weighs them; the likeliest. The first follows the odometry from the most
+// likely pose, without noise.
+Pose2 Localiser::weigh(const Step& step, double heading_noise_rad) {
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    Particle& particle = particles_[i];
+    if (i == 0) {
+      particle.pose = last_ * step.motion;
+    } else {
+      const double x_m = step.motion.x_m + step.sigma_m * normal(random_);
+      const double y_m = step.motion.y_m + step.sigma_m * normal(random_);
+      particle.pose =
+          particle.pose *
+          Pose2{x_m, y_m, wrapped(step.motion.heading_rad + heading_noise_rad * normal(random_))};
+    }
+    particle.weight = options_.gain * match(particle.pose);
+    if (particle.weight > particles_[best].weight) best = i;
+  }
+  return particles_[best].pose;
 }
 
 void Localiser::draw_field(const Grid& map) {
@@ -134,56 +182,24 @@ double Localiser::match(const Pose2& map_from_robot) const {
   return sum / static_cast<double>(returns_.size());
 }
 
-// Uphill from the best particle, towards a better match that the odometry leaves likely.
-Pose2 Localiser::climb(Pose2 best, const Pose2& by_odometry, double& best_match) const {
-  const auto score = [&](const Pose2& pose, double fit) {
-    const Pose2 off = inverse(by_odometry) * pose;
-    return fit - options_.prior_per_m2 * dot(off.position(), off.position()) -
-           options_.prior_per_rad2 * off.heading_rad * off.heading_rad;
-  };
-  double step_m = 0.05;
-  double step_rad = 0.02;
-  double best_score = score(best, best_match);
-  for (int halvings = 0; halvings < 4;) {
-    bool better = false;
-    for (const Pose2& step :
-         {Pose2{step_m, 0, 0}, Pose2{-step_m, 0, 0}, Pose2{0, step_m, 0}, Pose2{0, -step_m, 0},
-          Pose2{0, 0, step_rad}, Pose2{0, 0, -step_rad}}) {
-      const Pose2 pose = best * step;
-      const double fit = match(pose);
-      if (score(pose, fit) <= best_score) continue;
-      best_score = score(pose, fit);
-      best_match = fit;
-      best = pose;
-      better = true;
-    }
-    if (better) continue;
-    step_m /= 2;
-    step_rad /= 2;
-    ++halvings;
-  }
-  return best;
-}
-
 // Systematic: one draw, equal steps.
 void Localiser::resample() {
   double most = particles_.front().weight;
   for (const Particle& particle : particles_) most = std::max(most, particle.weight);
-  std::vector<double> upto;
+  up_to_.clear();
   double sum = 0;
   for (const Particle& particle : particles_) {
     sum += std::exp(particle.weight - most);
-    upto.push_back(sum);
+    up_to_.push_back(sum);
   }
-  std::vector<Particle> next;
+  particles_before_ = particles_;
   const double start = uniform(random_);
   std::size_t from = 0;
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     const double at = (start + static_cast<double>(i)) / static_cast<double>(particles_.size());
-    while (from + 1 < upto.size() && upto[from] < at * sum) ++from;
-    next.push_back({particles_[from].pose, 0});
+    while (from + 1 < up_to_.size() && up_to_[from] < at * sum) ++from;
+    particles_[i] = {particles_before_[from].pose, 0};
   }
-  particles_ = std::move(next);
 }
 
 }  // namespace asterism

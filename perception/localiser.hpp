@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/grid.hpp"
 #include "core/random.hpp"
 #include "core/scan.hpp"
+#include "perception/drift.hpp"
+#include "perception/local_perceptual_map.hpp"
+#include "perception/scan_fit.hpp"
 
 namespace asterism {
 
@@ -22,13 +26,15 @@ struct LocaliserOptions {
   double least_noise_m = 0.005;
   double least_heading_noise_rad = 0.002;
 
-  double sigma_m = 0.10;  ///< likelihood field: deviation of a return from its wall
-  // How much worse a match the most likely pose may have for being where the odometry says.
-  double prior_per_m2 = 5;
-  double prior_per_rad2 = 0.3;
+  double sigma_m = 0.10;     ///< likelihood field: deviation of a return from its wall
   double gain = 30;          ///< log-likelihood of a scan that fits perfectly
   double poor_match = 0.45;  ///< mean field value below which headings are searched widely
   double wide_heading_rad = 0.45;
+
+  ScanFitOptions fit = {};
+  /// Share of a fit's covariance that stays as drift, a metre driven: fits to the same walls go
+  /// wrong alike. Like those of DriftOptions, set by simulated drives, whose true poses are known.
+  double drift_per_m = 0.45;
 };
 
 /// Where the robot is in its local perceptual map: Bel(x_t) as weighted particles.
@@ -36,7 +42,8 @@ struct LocaliserOptions {
 ///   Bel(x_t) = η P(z_t | x_t, m) ∫ P(x_t | x_{t-1}, u_t) Bel(x_{t-1}) dx_{t-1}      [BMK10, §4.1]
 ///
 /// P(z | x, m) is the likelihood field: a return fits by its distance to the nearest occupied cell.
-/// The most likely pose, from which the map is drawn, is the best particle after hill-climbing.
+/// The most likely pose, from which the map is drawn, is what the scan fits best from the best
+/// particle, or from where the odometry says: see ScanFit.
 class Localiser {
  public:
   /// @param start  map_from_robot at the first scan
@@ -46,38 +53,54 @@ class Localiser {
     Pose2 map_from_robot = {};  ///< most likely
     double match = 1;           ///< mean field value of the returns there, 0 to 1
     double turned_rad = 0;      ///< since the scan before
+    Drift drift = {};           ///< of the pose, since the first scan: see covariance_between
   };
 
   /// Moves the particles by the odometry since the last scan and weighs them by this one.
-  Estimate observe(const Scan& scan, const Grid& map);
+  Estimate observe(const Scan& scan, const LocalPerceptualMap& map);
 
  private:
-  void draw_field(const Grid& map);
-  double field_at(Point2 point) const;
-  double match(const Pose2& map_from_robot) const;
-  Pose2 climb(Pose2 best, const Pose2& by_odometry, double& best_match) const;
-  void resample();
-
+  // One step of the odometry, and the deviations it is trusted to.
+  struct Step {
+    Pose2 motion = {};
+    double sigma_m = 0;
+    double sigma_rad = 0;
+  };
   struct Particle {
     Pose2 pose;
     double weight;  ///< logarithm
   };
 
+  Step step_to(const Pose2& odom_from_robot);
+  void take_returns(const Scan& scan);
+  ScanFit::Fit locate(const Step& step);
+  Pose2 weigh(const Step& step, double heading_noise_rad);
+  void draw_field(const Grid& map);
+  double field_at(Point2 point) const;
+  double match(const Pose2& map_from_robot) const;
+  void resample();
+
   LocaliserOptions options_;
+  ScanFit fit_;
   std::vector<float> kernel_;
   int reach_ = 0;  ///< of the kernel, in cells
   std::vector<Particle> particles_;
   std::optional<Pose2> odom_from_last_;
   Pose2 last_ = {};
+  Drift drift_ = {};
   RandomEngine random_;
 
-  // Of the scan at work.
+  // Of the map as drawn last.
+  std::optional<std::uint64_t> version_;
   std::vector<float> field_;
   int width_ = 0;
   int height_ = 0;
   double resolution_m_ = 1;
   Point2 corner_ = {};
+  // Of the scan at work.
   std::vector<Point2> returns_;  ///< in the robot's frame
+  std::vector<Particle> particles_before_;
+  std::vector<double> up_to_;  ///< working space of resample
 };
 
 }  // namespace asterism

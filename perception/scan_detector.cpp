@@ -90,14 +90,14 @@ std::optional<DetectedVisit> ScanDetector::observe(const Scan& scan) {
 
 // Localises, scrolls and draws.
 void ScanDetector::follow(const Scan& scan) {
-  const Localiser::Estimate estimate = localiser_.observe(scan, map_.grid());
+  const Localiser::Estimate estimate = localiser_.observe(scan, map_);
   robot_ = estimate.map_from_robot;
   const double edge_m = 0.3 * options_.lpm.cells * options_.lpm.resolution_m;
   const Grid& grid = map_.grid();
   const Point2 centre = grid.centre({grid.width / 2, grid.height / 2});
   if (!fixed_ || norm(robot_.position() - centre) > edge_m) map_.scroll_to(robot_.position());
 
-  const Step here{scan.number, scan.stamp_s, robot_};
+  const Step here{scan.number, scan.stamp_s, robot_, estimate.drift};
   const auto moved = [&](const Pose2& from, double by_m, double by_rad) {
     const Pose2 since = inverse(from) * robot_;
     return norm(since.position()) > by_m || std::abs(since.heading_rad) > by_rad;
@@ -309,11 +309,13 @@ DetectedVisit ScanDetector::visit(const Place& place, std::optional<Crossing> in
     visit.gateways.push_back({local.star.name(local.arm_of_gateway[i]), placed.x_m, placed.y_m,
                               placed.heading_rad, gateways[i].width_m});
   }
+  const DriftingPose here{first.map_from_robot, first.drift};
   if (last_visit_) {
-    const Pose2 moved = inverse(*last_visit_) * first.map_from_robot;
-    visit.displacement = Displacement{moved.x_m, moved.y_m, moved.heading_rad, {}};
+    const Pose2 moved = inverse(last_visit_->map_from_robot) * here.map_from_robot;
+    visit.displacement = Displacement{moved.x_m, moved.y_m, moved.heading_rad,
+                                      covariance_between(*last_visit_, here)};
   }
-  last_visit_ = first.map_from_robot;
+  last_visit_ = here;
   last_place_ = {place.topology, first.map_from_robot, {}};
   for (std::size_t i = in ? in->inside : 0; i <= (out ? out->inside : way_.size() - 1); ++i) {
     last_place_->way.push_back(way_[i].map_from_robot.position());

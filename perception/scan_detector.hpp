@@ -63,6 +63,7 @@ class ScanDetector final : public PlaceDetector {
     long long scan = 0;
     double stamp_s = 0;
     Pose2 map_from_robot = {};
+    Drift drift = {};
     double passed_s = 0;   ///< until the next
     bool stopped = false;  ///< at a stop
   };
@@ -105,7 +106,7 @@ class ScanDetector final : public PlaceDetector {
   bool fixed_ = false;         ///< a possible place: the map does not scroll
   std::vector<Point2> spots_;  ///< since the last visit, where the robot stopped or turned a corner
   std::optional<Point2> judged_from_;  ///< where the robot was when the spots were looked at last
-  std::optional<Pose2> last_visit_;    ///< map_from_visit
+  std::optional<DriftingPose> last_visit_;  ///< map_from_visit
   std::optional<PlaceView> last_place_;
 };
 

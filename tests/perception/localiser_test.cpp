@@ -35,7 +35,7 @@ Errors drive(std::uint64_t seed, double slip) {
   const auto look = [&](long long number) {
     Scan scan = room.scan(truth, number);
     scan.odom_from_robot = odometry;
-    const Localiser::Estimate estimate = localiser.observe(scan, map.grid());
+    const Localiser::Estimate estimate = localiser.observe(scan, map);
     const Pose2 off = inverse(truth) * estimate.map_from_robot;
     errors.most_m = std::max(errors.most_m, norm(off.position()));
     errors.most_rad = std::max(errors.most_rad, std::abs(off.heading_rad));
@@ -90,7 +90,7 @@ TEST_CASE("the same drive gives the same poses", "[perception]") {
 
 TEST_CASE("the first scan is where it is said to be", "[perception]") {
   Localiser localiser({}, {1, 2, 0.5});
-  const Localiser::Estimate estimate = localiser.observe(Room{}.scan({}, 0), {});
+  const Localiser::Estimate estimate = localiser.observe(Room{}.scan({}, 0), LocalPerceptualMap({}));
   CHECK(estimate.map_from_robot == Pose2{1, 2, 0.5});
   CHECK(estimate.turned_rad == 0);
 }
@@ -100,9 +100,9 @@ TEST_CASE("without returns the odometry rules", "[perception]") {
   LocalPerceptualMap map({});
   Localiser localiser({}, {});
   Scan scan{.ranges_m = {30, 31}, .laser = {.max_range_m = 30}};
-  localiser.observe(scan, map.grid());
+  localiser.observe(scan, map);
   scan.odom_from_robot = {0.3, 0.1, 0.2};
-  const Localiser::Estimate estimate = localiser.observe(scan, map.grid());
+  const Localiser::Estimate estimate = localiser.observe(scan, map);
   CHECK(estimate.map_from_robot.x_m == Approx(0.3));
   CHECK(estimate.map_from_robot.y_m == Approx(0.1));
   CHECK(estimate.turned_rad == Approx(0.2));
@@ -115,12 +115,12 @@ TEST_CASE("headings are searched widely where the match is poor", "[perception]"
   LocalPerceptualMap map({});
   Localiser localiser({}, start);
   const Scan first = room.scan(start, 0);
-  localiser.observe(first, map.grid());
+  localiser.observe(first, map);
   for (int scan = 0; scan < 3; ++scan) map.update(first, start);
   const Pose2 after = start * Pose2{0, 0, 20 * pi / 180};
   Scan scan = room.scan(after, 1);
   scan.odom_from_robot = first.odom_from_robot;
-  const Localiser::Estimate estimate = localiser.observe(scan, map.grid());
+  const Localiser::Estimate estimate = localiser.observe(scan, map);
   CHECK(wrapped(estimate.map_from_robot.heading_rad - after.heading_rad) == Approx(0).margin(0.03));
   CHECK(norm(estimate.map_from_robot.position() - after.position()) < 0.1);
   CHECK(estimate.turned_rad == Approx(20 * pi / 180).margin(0.03));
