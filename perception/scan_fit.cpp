@@ -14,8 +14,8 @@ constexpr int kNoWall = -1;
 constexpr int kNothing = -2;  // ... and no one knows what there is
 constexpr int kRound = 2;  // cells round one that tell its wall's direction, or else twice as many
 constexpr double kFewest = 3;
-constexpr double kAlong = 100;  // spread along a wall, in which distances do not count, times this
-constexpr double kOddOdometry = 25;  // what odometry that is far off can cost at most: wheels slip
+constexpr double kAlong = 100;   // spread along a wall, in which distances do not count, times this
+constexpr double kOddTurn = 25;  // a turn that the wheels missed costs no more than this
 constexpr double kDone_m = 2e-4;
 constexpr double kDone_rad = 5e-5;
 
@@ -186,15 +186,18 @@ ScanFit::Fit ScanFit::fit(std::span<const Point2> returns, const Pose2& start,
     Equations at = equations(returns, fit.map_from_robot);
     const Pose2 back = inverse(fit.map_from_robot) * by_odometry;
     const SmallMotion off{back.x_m, back.y_m, back.heading_rad};
-    double odd = 0;
-    for (std::size_t i = 0; i < 3; ++i) odd += odometry_information[i] * off[i] * off[i];
-    const double trust = kOddOdometry / (kOddOdometry + odd);
+    // Wheels seldom slip far, but they may turn on the spot unheard.
+    const auto& information = odometry_information;
+    const double odd_turn = information[2] * off[2] * off[2];
+    const double trust = kOddTurn / (kOddTurn + odd_turn);
+    const SmallMotion prior{information[0], information[1], trust * trust * information[2]};
     for (std::size_t i = 0; i < 3; ++i) {
-      at.curvature[4 * i] += trust * trust * odometry_information[i];
-      at.slope[i] += trust * trust * odometry_information[i] * off[i];
+      at.curvature[4 * i] += prior[i];
+      at.slope[i] += prior[i] * off[i];
     }
     fit.covariance = inverted(at.curvature);
-    fit.cost = at.cost + trust * odd;
+    fit.cost = at.cost + information[0] * off[0] * off[0] + information[1] * off[1] * off[1] +
+               trust * odd_turn;
     fit.matched = static_cast<double>(at.matched) / static_cast<double>(returns.size());
     SmallMotion move = {};
     for (std::size_t i = 0; i < 9; ++i) move[i / 3] += fit.covariance[i] * at.slope[i % 3];

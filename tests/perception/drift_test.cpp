@@ -54,7 +54,8 @@ TEST_CASE("what drifted before does not matter", "[perception]") {
   late.map_from_robot = late.map_from_robot * Pose2{0, 0, 2};
   const PoseCovariance expected = covariance_between(fresh, straight(fresh, 20, chance, wheels));
   const PoseCovariance found = covariance_between(late, straight(late, 20, chance, wheels));
-  for (std::size_t i = 0; i < 9; ++i) CHECK(found[i] == Approx(expected[i]).epsilon(1e-6).margin(1e-12));
+  for (std::size_t i = 0; i < 9; ++i)
+    CHECK(found[i] == Approx(expected[i]).epsilon(1e-6).margin(1e-12));
   CHECK(is_covariance(found));
 }
 

@@ -196,6 +196,37 @@ TEST_CASE("scrolling by whole cells loses nothing inside", "[perception][propert
   }
 }
 
+TEST_CASE("a wall is known finer than its cell", "[perception]") {
+  const LpmOptions options;
+  LocalPerceptualMap map(options);
+  const auto wall = [&]() -> const WallPoint& {
+    return map.walls()[map.grid().index(map.grid().cell_at({5.05, 0.05}))];
+  };
+  CHECK(wall().returns == 0);
+  for (const double range_m : {5.01, 5.02, 5.06}) map.update(beam(range_m), {0, 0.05, 0});
+  CHECK(wall().returns == 3);
+  CHECK(wall().mean.x_m == Approx(5.03));
+  CHECK(wall().mean.y_m == Approx(0.05));
+  map.scroll_to({3.2, -1.1});
+  CHECK(wall().mean.x_m == Approx(5.03));
+  // Once well known it does not drift any more.
+  for (int scan = 0; scan < options.most_returns; ++scan) map.update(beam(5.03), {0, 0.05, 0});
+  for (int scan = 0; scan < 50; ++scan) map.update(beam(5.09), {0, 0.05, 0});
+  CHECK(wall().mean.x_m == Approx(5.03));
+}
+
+TEST_CASE("a map that changed has another version", "[perception]") {
+  LocalPerceptualMap map({});
+  const std::uint64_t before = map.version();
+  map.scroll_to({0.09, 0.01});  // within the central cell
+  CHECK(map.version() == before);
+  map.scroll_to({1, 0});
+  const std::uint64_t scrolled = map.version();
+  CHECK(scrolled != before);
+  map.update(beam(5), {});
+  CHECK(map.version() != scrolled);
+}
+
 TEST_CASE("scrolling within the central cell moves nothing", "[perception]") {
   LocalPerceptualMap map({});
   map.update(beam(5), {});
