@@ -13,7 +13,8 @@ constexpr std::size_t kLongestWay = 8000;
 constexpr double kAside_m = 1.0;          // how far beside a gateway's ends one is still beyond it
 constexpr double kSameHeading_rad = 0.6;  // how far gateways seen twice may differ
 constexpr double kSameSpot_m = 2.0;
-constexpr double kLost_m = 10;        // farther from a spot, one has left its place
+constexpr double kLost_m = 10;  // farther from a spot, one has left its place
+constexpr double kJustOutside_m = 1.0;
 constexpr double kStride_m = 0.3;     // how far the robot drives between two looks back
 constexpr double kLongestScan_s = 1;  // a gap in the log counts as no more time than this
 
@@ -249,6 +250,12 @@ std::optional<std::size_t> ScanDetector::outside(const Place& place, Point2 poin
   return found;
 }
 
+// Where the robot stops just outside, it is at the place still.
+bool ScanDetector::is_inside(const Gateway& gateway, const Step& step) {
+  const double along_m = beyond(gateway, step.map_from_robot.position()).along_m;
+  return along_m <= (step.stopped ? kJustOutside_m : 0);
+}
+
 // The last time before step `before` that the robot came in: through which gateway, and when.
 std::optional<ScanDetector::Crossing> ScanDetector::entered(const Place& place,
                                                             std::size_t before) const {
@@ -256,9 +263,7 @@ std::optional<ScanDetector::Crossing> ScanDetector::entered(const Place& place,
     const auto gateway = outside(place, way_[i].map_from_robot.position(), options_.leave_m);
     if (!gateway) continue;
     std::size_t inside = i;
-    while (inside < before &&
-           beyond(gateways_of(place.topology)[*gateway], way_[inside].map_from_robot.position())
-                   .along_m > 0) {
+    while (inside < before && !is_inside(gateways_of(place.topology)[*gateway], way_[inside])) {
       ++inside;
     }
     return Crossing{*gateway, inside};
@@ -269,10 +274,7 @@ std::optional<ScanDetector::Crossing> ScanDetector::entered(const Place& place,
 std::optional<DetectedVisit> ScanDetector::leave(const Place& place, std::size_t gateway) {
   const auto& gateways = gateways_of(place.topology);
   std::size_t inside = way_.size() - 1;
-  while (inside > 0 &&
-         beyond(gateways[gateway], way_[inside].map_from_robot.position()).along_m > 0) {
-    --inside;
-  }
+  while (inside > 0 && !is_inside(gateways[gateway], way_[inside])) --inside;
   const std::optional<Crossing> in = entered(place, inside);
   // Driven through, a place counts if the robot turned there into another path.
   const LocalStar& local = *place.topology.star;

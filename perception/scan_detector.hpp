@@ -86,6 +86,7 @@ class ScanDetector final : public PlaceDetector {
   void mark(Point2 spot);
   std::optional<Place> place_at(Point2 spot) const;
   std::optional<std::size_t> outside(const Place& place, Point2 point, double by_m) const;
+  static bool is_inside(const Gateway& gateway, const Step& step);
   std::optional<Crossing> entered(const Place& place, std::size_t before) const;
   std::optional<DetectedVisit> leave(const Place& place, std::size_t gateway);
   DetectedVisit visit(const Place& place, std::optional<Crossing> in, std::optional<Crossing> out);
