@@ -20,7 +20,7 @@ struct ScanDetectorOptions {
   // The map is redrawn where there is something new to see and nothing is blurred.
   double redraw_m = 0.2;
   double redraw_rad = 0.1;
-  double blurred_rad = 0.12;  ///< a scan during which the robot turned more is not drawn
+  double blurred_rad = 0.25;  ///< a scan during which the robot turned more is not drawn
 
   // Place or path.
   double stay_m = 0.5;       ///< the robot stops where it keeps within this of one spot
