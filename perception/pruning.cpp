@@ -100,14 +100,14 @@ class Pruner {
         const double length_m = paths.length[i] * frame_.resolution_m;
         if (!std::isfinite(length_m) || length_m < kEntered_m) continue;
         if (deepest && paths.length[i] <= paths.length[*deepest]) continue;
-        const double depth_m =
-            paths.length[i] * frame_.resolution_m - skeleton_.points[root_of(paths, i)].radius_m;
+        const double depth_m = length_m - skeleton_.points[root_of(paths, i)].radius_m;
         if (depth_m < kEntered_m) continue;
         if (depth_m >= options_.hallway_m || holds_one(i, driven)) deepest = i;
       }
       if (!deepest) return;
-      keep_path(paths, *deepest);
-      skeleton_.dead_ends.push_back(*deepest);
+      const std::size_t end = widest_before(paths, *deepest);
+      keep_path(paths, end);
+      skeleton_.dead_ends.push_back(end);
     }
   }
 
@@ -224,6 +224,17 @@ class Pruner {
   static std::size_t root_of(const ShortestPaths& paths, std::size_t point) {
     while (paths.before[point]) point = *paths.before[point];
     return point;
+  }
+
+  // Lines fork into the corners of a dead end: the widest point shortly before its end.
+  std::size_t widest_before(const ShortestPaths& paths, std::size_t end) const {
+    std::size_t widest = end;
+    const double least = paths.length[end] - kEntered_m / frame_.resolution_m;
+    for (std::size_t at = end; paths.before[at] && paths.length[at] > least;
+         at = *paths.before[at]) {
+      if (skeleton_.points[at].radius_m > skeleton_.points[widest].radius_m) widest = at;
+    }
+    return widest;
   }
 
   bool holds_one(std::size_t i, std::span<const Point2> driven) const {
