@@ -12,7 +12,7 @@ namespace {
 constexpr int kSmoothing = 3;         // points either side over which r_p is averaged
 constexpr double kPlateau = -0.06;    // change of r_p a metre from which a branch narrows no more
 constexpr double kAxisSearch = 40;    // degrees either side of the skeleton's direction
-constexpr double kAxisRange_m = 10;    // how far a gateway looks outwards for its axis
+constexpr double kAxisRange_m = 10;   // how far a gateway looks outwards for its axis
 constexpr double kChord = 1.0;        // weight of the chord's length against the depth
 constexpr double kNearlyBest = 0.05;  // how much worse a direction still counts
 constexpr double kLoop_m = 10;        // a way that comes back to the core sooner leads nowhere
@@ -97,9 +97,13 @@ class Finder {
       const double radius_m = point(f).radius_m + kBorder_m;
       const int steps = static_cast<int>(2 * std::numbers::pi * radius_m / 0.05);
       for (int step = 0; step < steps; ++step) {
-        const Point2 rim = at(f) + radius_m * unit_vector(2 * std::numbers::pi * step / steps);
-        const Occupancy there = space_.at(sight_lines_.cell_at(rim));
-        unknown += there == Occupancy::unknown;
+        // What lies behind a wall is unknown for good.
+        const Point2 out = unit_vector(2 * std::numbers::pi * step / steps);
+        const auto seen = [&](double back_m) {
+          return space_.at(sight_lines_.cell_at(at(f) + (radius_m - back_m) * out));
+        };
+        unknown += seen(0) == Occupancy::unknown && seen(kBorder_m / 2) != Occupancy::occupied &&
+                   seen(kBorder_m) != Occupancy::occupied;
         ++all;
       }
     }

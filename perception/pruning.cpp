@@ -10,6 +10,7 @@ namespace asterism {
 namespace {
 
 constexpr double kEntered_m = 1.0;    // so far into a branch the robot has entered it
+constexpr double kFork_m = 2.0;       // lines fork so far before a dead end
 constexpr double kLeastLink_m = 1.0;  // shorter links between two branches are corners of junctions
 
 using Points = std::vector<std::size_t>;
@@ -91,6 +92,7 @@ class Pruner {
 
   // Branches that end in a dead end worth a place.
   void keep_dead_ends(std::span<const Point2> driven) {
+    std::vector<bool> beyond(skeleton_.points.size(), false);  // the end of a branch that is kept
     for (;;) {
       const Points roots = kept();
       if (roots.empty()) return;
@@ -99,7 +101,7 @@ class Pruner {
       for (std::size_t i = 0; i < skeleton_.points.size(); ++i) {
         const double length_m = paths.length[i] * frame_.resolution_m;
         if (!std::isfinite(length_m) || length_m < kEntered_m) continue;
-        if (deepest && paths.length[i] <= paths.length[*deepest]) continue;
+        if (beyond[i] || (deepest && paths.length[i] <= paths.length[*deepest])) continue;
         const double depth_m = length_m - skeleton_.points[root_of(paths, i)].radius_m;
         if (depth_m < kEntered_m) continue;
         if (depth_m >= options_.hallway_m || holds_one(i, driven)) deepest = i;
@@ -108,6 +110,7 @@ class Pruner {
       const std::size_t end = widest_before(paths, *deepest);
       keep_path(paths, end);
       skeleton_.dead_ends.push_back(end);
+      for (std::size_t at = *deepest; at != end; at = *paths.before[at]) beyond[at] = true;
     }
   }
 
@@ -229,7 +232,7 @@ class Pruner {
   // Lines fork into the corners of a dead end: the widest point shortly before its end.
   std::size_t widest_before(const ShortestPaths& paths, std::size_t end) const {
     std::size_t widest = end;
-    const double least = paths.length[end] - kEntered_m / frame_.resolution_m;
+    const double least = paths.length[end] - kFork_m / frame_.resolution_m;
     for (std::size_t at = end; paths.before[at] && paths.length[at] > least;
          at = *paths.before[at]) {
       if (skeleton_.points[at].radius_m > skeleton_.points[widest].radius_m) widest = at;
