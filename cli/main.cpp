@@ -207,6 +207,15 @@ go on, 70 internal fault or a result that cannot be written.)");
       ->type_name("DEG")
       ->check(number_between(0.1, 360, "degrees, 0.1 to 360"));
   perceive
+      .add_option_function<double>(
+          "--heading",
+          [&](double degrees) { command.detector.start_heading_rad = radians(degrees); },
+          "Heading of the robot at the first scan, degrees from the map's x-axis [0]")
+      ->type_name("DEG")
+      ->check(number_between(-360, 360, "degrees, -360 to 360"))
+      ->excludes(&library)
+      ->excludes(&program);
+  perceive
       .add_option("--max-range", command.laser.max_range_m, "A range of this or more is no return")
       ->type_name("M")
       ->check(number_between(0.1, 1e4, "metres, 0.1 to 10000"));

@@ -15,6 +15,21 @@ def run(*arguments, stdin=None):
     )
 
 
+def view(star, first):
+    """The star read clockwise from an arm, without labels: [(α, steps to the opposite arm)]."""
+    arms = star.split()
+    place = {}
+    for number, arm in enumerate(arms):
+        place.setdefault(arm[:-2], []).append(number)
+    opposite = {a: b for a, b in place.values()} | {b: a for a, b in place.values()}
+    order = [(first + step) % len(arms) for step in range(len(arms))]
+    return [(arms[i][-1], (opposite[i] - i) % len(arms)) for i in order]
+
+
+def arm_number(star, name):
+    return None if name is None else [arm[:-1] for arm in star.split()].index(name)
+
+
 class Folder(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
