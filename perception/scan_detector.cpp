@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 namespace asterism {
@@ -76,10 +75,11 @@ std::optional<DetectedVisit> ScanDetector::observe(const Scan& scan) {
   if (spots_.empty()) return std::nullopt;
   if (judged_from_ && norm(robot_.position() - *judged_from_) < kStride_m) return std::nullopt;
   judged_from_ = robot_.position();
+  Looks looks;
   for (std::size_t i = 0; i < spots_.size(); ++i) {
     const double away_m = norm(robot_.position() - spots_[i]);
     if (away_m < options_.leave_m) continue;
-    const std::optional<Place> place = place_at(spots_[i]);
+    const std::optional<Place> place = place_at(spots_[i], looks);
     if (place) {
       const std::optional<std::size_t> out = outside(*place, robot_.position(), options_.leave_m);
       if (out) return leave(*place, *out);
@@ -178,32 +178,14 @@ void ScanDetector::mark(Point2 spot) {
 }
 
 // The star that holds longest along the way near a spot.
-std::optional<ScanDetector::Place> ScanDetector::place_at(Point2 spot) const {
-  const FreeSpace space = free_space(map_.grid(), options_.topology.free_space);
-  const Skeleton lines =
-      skeleton(space, space.frame.cell_at(robot_.position()), options_.topology.skeleton, driven());
+std::optional<ScanDetector::Place> ScanDetector::place_at(Point2 spot, Looks& looks) const {
   std::vector<Place> places;
-  const auto place_round = [&](Point2 from) -> std::optional<std::size_t> {
-    std::optional<Neighbourhood> seen = neighbourhood(space, lines, from);
-    if (!seen || seen->gateways.empty() || seen->unknown_border > options_.explored) return {};
-    LocalStar star = local_star(seen->gateways, options_.topology.star);
-    if (is_on_path(star)) return {};
-    LocalTopology topology{{}, {}, std::move(seen), std::move(star)};
-    const auto place = std::find_if(places.begin(), places.end(), [&](const Place& other) {
-      return same_star(other.topology, topology);
-    });
-    const auto number = static_cast<std::size_t>(place - places.begin());
-    if (place == places.end()) places.push_back({std::move(topology), 0, 0});
-    return number;
-  };
-  std::map<std::vector<std::size_t>, std::optional<std::size_t>> place_of_core;
   const auto look_from = [&](Point2 from, double held_s, bool stopped) {
-    const auto [known, fresh] = place_of_core.try_emplace(core(space, lines, from));
-    if (fresh) known->second = place_round(from);
-    if (!known->second) return;
-    Place& place = places[*known->second];
-    place.held_s += held_s;
-    if (stopped) place.stopped_s += held_s;
+    const std::optional<std::size_t> star = star_seen_from(from, looks);
+    if (!star) return;
+    if (places.size() <= *star) places.resize(*star + 1);
+    places[*star].held_s += held_s;
+    if (stopped) places[*star].stopped_s += held_s;
   };
   for (std::size_t i = 0; i < way_.size();) {
     const Point2 from = way_[i].map_from_robot.position();
@@ -218,19 +200,39 @@ std::optional<ScanDetector::Place> ScanDetector::place_at(Point2 spot) const {
     }
     if (norm(from - spot) > options_.near_m) continue;
     if (stopped_s > 0) look_from(from, stopped_s, true);
-    const int looks = std::max(1, static_cast<int>(driven_m / options_.spot_m));
-    for (int look = 0; look < looks; ++look) {
-      look_from(from + (1.0 * look / looks) * (to - from),
-                options_.drive_s_per_m * driven_m / looks, false);
+    const int times = std::max(1, static_cast<int>(driven_m / options_.spot_m));
+    for (int time = 0; time < times; ++time) {
+      look_from(from + (1.0 * time / times) * (to - from),
+                options_.drive_s_per_m * driven_m / times, false);
     }
   }
   const auto longest =
       std::max_element(places.begin(), places.end(),
                        [](const Place& a, const Place& b) { return a.held_s < b.held_s; });
-  if (longest == places.end()) return std::nullopt;
-  longest->topology.space = space;
-  longest->topology.skeleton = lines;
+  if (longest == places.end() || longest->held_s == 0) return std::nullopt;
+  longest->topology = looks.stars[static_cast<std::size_t>(longest - places.begin())];
+  longest->topology.space = surroundings_.space;
+  longest->topology.skeleton = surroundings_.skeleton;
   return *longest;
+}
+
+// The number of the star seen from a point; nothing on a path, and where too little is known.
+std::optional<std::size_t> ScanDetector::star_seen_from(Point2 from, Looks& looks) const {
+  const FreeSpace& space = surroundings_.space;
+  const Skeleton& lines = surroundings_.skeleton;
+  const auto [look, fresh] = looks.star_of_core.try_emplace(core(space, lines, from));
+  if (!fresh) return look->second;
+  std::optional<Neighbourhood> seen = neighbourhood(space, lines, from);
+  if (!seen || seen->gateways.empty() || seen->unknown_border > options_.explored) return {};
+  LocalStar star = local_star(seen->gateways, options_.topology.star);
+  if (is_on_path(star)) return {};
+  LocalTopology topology{{}, {}, std::move(seen), std::move(star)};
+  const auto known =
+      std::find_if(looks.stars.begin(), looks.stars.end(),
+                   [&](const LocalTopology& other) { return same_star(other, topology); });
+  look->second = static_cast<std::size_t>(known - looks.stars.begin());
+  if (known == looks.stars.end()) looks.stars.push_back(std::move(topology));
+  return look->second;
 }
 
 // The gateway that a point lies beyond by this much, nearest its axis.
@@ -328,8 +330,9 @@ DetectedVisit ScanDetector::visit(const Place& place, std::optional<Crossing> in
 }
 
 std::optional<DetectedVisit> ScanDetector::finish() {
+  Looks looks;
   while (!spots_.empty()) {
-    const std::optional<Place> place = place_at(spots_.front());
+    const std::optional<Place> place = place_at(spots_.front(), looks);
     spots_.erase(spots_.begin());
     if (!place || place->stopped_s < options_.hold_s) continue;
     const std::optional<Crossing> in = entered(*place, way_.size());

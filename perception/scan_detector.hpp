@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -73,6 +74,11 @@ class ScanDetector final : public PlaceDetector {
     double held_s = 0;     ///< time, and way, from which its star is seen
     double stopped_s = 0;  ///< of that, at a stop
   };
+  // Stars seen from the way, all by the last scan's map.
+  struct Looks {
+    std::vector<LocalTopology> stars = {};
+    std::map<std::vector<std::size_t>, std::optional<std::size_t>> star_of_core = {};
+  };
   struct Crossing {
     std::size_t gateway = 0;
     std::size_t inside = 0;  ///< step of the way just inside the gateway
@@ -84,7 +90,8 @@ class ScanDetector final : public PlaceDetector {
   void find_stop(double passed_s);
   void find_corner();
   void mark(Point2 spot);
-  std::optional<Place> place_at(Point2 spot) const;
+  std::optional<Place> place_at(Point2 spot, Looks& looks) const;
+  std::optional<std::size_t> star_seen_from(Point2 from, Looks& looks) const;
   std::optional<std::size_t> outside(const Place& place, Point2 point, double by_m) const;
   static bool is_inside(const Gateway& gateway, const Step& step);
   std::optional<Crossing> entered(const Place& place, std::size_t before) const;
