@@ -16,7 +16,6 @@ constexpr double kAxisRange_m = 10;   // how far a gateway looks outwards for it
 constexpr double kChord = 1.0;        // weight of the chord's length against the depth
 constexpr double kNearlyBest = 0.05;  // how much worse a direction still counts
 constexpr double kLoop_m = 10;        // a way that comes back to the core sooner leads nowhere
-constexpr int kWall = 2;              // cells round a gateway's end in which a wall is looked for
 constexpr double kBorder_m = 0.15;    // how far beyond a core's disc its border is looked at
 
 class Finder {
@@ -32,8 +31,6 @@ class Finder {
     for (const std::size_t f : result.core) mark_disc(f);
     result.unknown_border = unknown_border(result.core);
     leave_core(result.gateways);
-    result.ends_known = std::all_of(result.gateways.begin(), result.gateways.end(),
-                                    [&](const Gateway& gateway) { return ends_known(gateway); });
     return result;
   }
 
@@ -68,7 +65,6 @@ class Finder {
       if (!skeleton_.is_junction(i)) continue;
       (norm(at(i) - robot) <= point(i).radius_m ? result.core : others).push_back(i);
     }
-    result.has_junction = !result.core.empty();
     for (std::size_t next = 0; next < result.core.size(); ++next) {
       const std::size_t own = result.core[next];
       std::erase_if(others, [&](std::size_t other) {
@@ -245,23 +241,6 @@ class Finder {
     }
     const double degrees = turn / weight - steps;
     return {at(m), wrapped(guess_rad + degrees * std::numbers::pi / 180), 2 * radius_m};
-  }
-
-  bool ends_known(const Gateway& gateway) const {
-    const Point2 along = unit_vector(gateway.outward_rad);
-    const Point2 left{-along.y_m, along.x_m};
-    for (const double side : {1.0, -1.0}) {
-      const double length_m = free_length(gateway.middle, side * left, 2 * gateway.width_m);
-      const Cell end = sight_lines_.cell_at(gateway.middle + (side * length_m) * left);
-      bool wall = false;
-      for (int up = -kWall; up <= kWall; ++up) {
-        for (int right = -kWall; right <= kWall; ++right) {
-          wall = wall || space_.at({end.column + right, end.row + up}) == Occupancy::occupied;
-        }
-      }
-      if (!wall) return false;
-    }
-    return true;
   }
 
   double free_length(Point2 from, Point2 along, double most_m) const {

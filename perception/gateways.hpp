@@ -18,11 +18,10 @@ struct Gateway {
 /// The neighbourhood the robot is in: discs of free space round its junctions, and the gateways
 /// where it ends.                                                                 [BMK10, §5.1.1]
 struct Neighbourhood {
-  std::vector<std::size_t> core = {};  ///< F: skeleton points, of radius r_f each
-  bool has_junction = false;           ///< else F is the point nearest the robot
+  std::vector<std::size_t> core = {};  ///< F: skeleton points, of radius r_f each; without a
+                                       ///< junction the one nearest the robot
   std::vector<Gateway> gateways = {};  ///< in the grid's frame
   double unknown_border = 0;           ///< share of the core's border that is unknown space
-  bool ends_known = false;             ///< both ends of every gateway rest on obstacles seen
 };
 
 /// @return  nothing if there is no exit: the skeleton has no critical branch
