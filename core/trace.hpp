@@ -11,6 +11,7 @@
 namespace asterism {
 
 /// Pose of the place reached in the frame of the place left.       [BMK10, §7.1] [DESIGN §2]
+/// Its covariance is that of a small motion in the frame of the place reached: see PoseCovariance.
 struct Displacement {
   double x_m = 0;                      ///< +x ahead
   double y_m = 0;                      ///< +y left
