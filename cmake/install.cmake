@@ -15,7 +15,7 @@ install(EXPORT asterism NAMESPACE asterism:: FILE asterismTargets.cmake DESTINAT
 # A user's linker needs what our static libraries were made with; headers of ours that are not
 # installed and libraries kept in $<BUILD_INTERFACE:...> are no concern of theirs.
 set(links "")
-foreach(library core axioms planarity engine perception simulation io)
+foreach(library core axioms planarity engine perception metric simulation io)
   if(TARGET asterism_${library})
     get_target_property(own asterism_${library} INTERFACE_LINK_LIBRARIES)
     list(APPEND links ${own})
@@ -31,7 +31,7 @@ if(links MATCHES "PkgConfig::Z3")
     "find_dependency(PkgConfig)\n"
     "pkg_check_modules(Z3 REQUIRED IMPORTED_TARGET z3)\n")
 endif()
-foreach(package fmt nlohmann_json Boost ZLIB LibLZMA PNG)
+foreach(package fmt nlohmann_json Boost ZLIB LibLZMA PNG Ceres Eigen3)
   if(links MATCHES "${package}::")
     string(APPEND ASTERISM_DEPENDENCIES "find_dependency(${package})\n")
   endif()
