@@ -4,19 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "metric/chi_squared.hpp"
 #include "metric/exponential.hpp"
+#include "metric/wall_fit.hpp"
 
 namespace asterism {
 namespace {
 
-constexpr std::array kReaches_m{1.0, 0.5, 0.3};  // how far a wall may be from its other, by turns
-constexpr int kStepsAReach = 8;
-constexpr double kSameWall = 0.8;  // cosine of the angle between the two
-constexpr double kMatched_m = 0.2;
-constexpr double kDone = 1e-5;
+constexpr int kMostSteps = 10;
+constexpr double kDone = 1e-6;
 constexpr std::size_t kFewestWalls = 30;
 // Without a gateway in common a visit was somewhere at the place, facing anywhere.
 constexpr double kSomewhere_m = 2;
@@ -64,25 +61,11 @@ PoseCovariance numbers(const Matrix3& matrix) {
   return result;
 }
 
-double square(double x) { return x * x; }
-
-// Share of the walls of one map, where the other knows its way about, that the other has too.
-struct Share {
-  std::size_t matched = 0;
-  std::size_t known = 0;
-};
-
-Share matched(const PlaceWalls& of, const PlaceWalls& by, const Pose2& by_from_of) {
-  Share share;
-  for (const WallPiece& piece : of.pieces()) {
-    const Point2 point = by_from_of * piece.point;
-    if (!by.is_known(point)) continue;
-    ++share.known;
-    const WallPiece* near = by.nearest(point);
-    if (near != nullptr && norm(near->point - point) <= kMatched_m) ++share.matched;
-  }
-  return share;
+Matrix3 matrix(const PoseCovariance& numbers) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data());
 }
+
+double square(double x) { return x * x; }
 
 }  // namespace
 
@@ -146,13 +129,8 @@ Alignment PlaceAlignments::align(const std::vector<GatewayPair>& pairs, VisitId 
   moved = (1.0 / static_cast<double>(pairs.size())) * moved;
   pose = {moved.x_m, moved.y_m, pose.heading_rad};
 
-  const PlaceWalls* const of_first = walls(first);
-  const PlaceWalls* const of_visit = walls(visit);
-  const bool has_walls = of_first != nullptr && of_visit != nullptr &&
-                         of_first->pieces().size() >= kFewestWalls &&
-                         of_visit->pieces().size() >= kFewestWalls;
   Matrix3 curvature;
-  const auto step = [&](double reach_m) {
+  for (int i = 0; i < kMostSteps; ++i) {
     Equations equations;
     for (const auto& [one, other] : pairs) {
       const Point2 at{other.x_m, other.y_m};
@@ -163,41 +141,28 @@ Alignment PlaceAlignments::align(const std::vector<GatewayPair>& pairs, VisitId 
       equations.add(along(pose, at, out), off.ahead_m, 1 / square(options_.ahead_m));
       equations.add({0, 0, 1}, off.turned_rad, 1 / square(options_.heading_rad));
     }
-    if (has_walls) {
-      for (const WallPiece& piece : of_visit->pieces()) {
-        const Point2 point = pose * piece.point;
-        const WallPiece* near = of_first->nearest(point);
-        if (near == nullptr || norm(near->point - point) > reach_m) continue;
-        const Point2 normal = Pose2{0, 0, pose.heading_rad} * piece.normal;
-        if (std::abs(dot(normal, near->normal)) < kSameWall) continue;
-        const double off_m = dot(near->normal, point - near->point);
-        // Half as far as the reach, a bit of wall counts half.
-        const double weight = 1 / (1 + square(2 * off_m / reach_m));
-        equations.add(along(pose, piece.point, near->normal), off_m,
-                      weight / square(options_.wall_m));
-      }
-    }
     curvature = equations.curvature;
     const Vector3 motion = curvature.ldlt().solve(equations.slope);
     pose = pose * exponential({motion[0], motion[1], motion[2]});
-    return motion.norm();
-  };
-  for (const double reach_m : kReaches_m) {
-    for (int i = 0; i < kStepsAReach && step(reach_m) > kDone; ++i) {
-    }
+    if (motion.norm() < kDone) break;
   }
 
+  const PlaceWalls* const of_first = walls(first);
+  const PlaceWalls* const of_visit = walls(visit);
+  const bool has_walls = of_first != nullptr && of_visit != nullptr &&
+                         of_first->pieces().size() >= kFewestWalls &&
+                         of_visit->pieces().size() >= kFewestWalls;
+  if (has_walls) {
+    const WallFit fit = fit_walls(*of_first, *of_visit, pose, numbers(curvature));
+    pose = fit.first_from_second;
+    curvature += matrix(fit.information);
+    result.matched_walls = fit.matched_walls;
+  }
   result.place_from_visit = pose;
   Matrix3 covariance = curvature.inverse();
-  if (has_walls) {
-    const Vector3 shared{square(options_.shared_m), square(options_.shared_m),
-                         square(options_.shared_rad)};
-    covariance.diagonal() += shared;
-    const Share ours = matched(*of_visit, *of_first, pose);
-    const Share theirs = matched(*of_first, *of_visit, inverse(pose));
-    result.matched_walls = static_cast<double>(ours.matched + theirs.matched) /
-                           static_cast<double>(std::max<std::size_t>(1, ours.known + theirs.known));
-  }
+  if (has_walls)
+    covariance.diagonal() +=
+        Vector3(square(options_.shared_m), square(options_.shared_m), square(options_.shared_rad));
   result.covariance = numbers(covariance);
   Misfit& misfit = result.misfit;
   for (const auto& [one, other] : pairs) {

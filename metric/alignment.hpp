@@ -19,8 +19,7 @@ struct AlignmentOptions {
   double ahead_m = 0.6;  ///< ... along it: where a corridor narrows is hard to say
   double heading_rad = 0.15;
 
-  // Deviations of a bit of wall seen at two visits, and of what its neighbours share with it.
-  double wall_m = 0.15;
+  // Deviations that all walls seen at two visits share.
   double shared_m = 0.02;
   double shared_rad = 0.003;
 };
