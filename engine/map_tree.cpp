@@ -1,6 +1,7 @@
 #include "engine/map_tree.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -37,18 +38,58 @@ class Preference {
 
 using Engine = std::variant<NativeEngine, SolverEngine, BothEngines>;
 
+NativeEngine native_engine(const MapTree::Options& options, const ArmTable& table) {
+  return NativeEngine(table, {.planar = options.planar,
+                              .one_segment = options.axioms.contains("one_segment"),
+                              .one_crossing = options.axioms.contains("one_crossing")});
+}
+
 Engine make_engine(const MapTree::Options& options, const ArmTable& table) {
   const bool is_shipped = options.axioms.is_shipped();
   if (options.check != Check::solver && !is_shipped)
     throw std::invalid_argument("axioms other than the shipped ones need the solver");
-  NativeEngine native(table, {.planar = options.planar,
-                              .one_segment = options.axioms.contains("one_segment"),
-                              .one_crossing = options.axioms.contains("one_crossing")});
+  NativeEngine native = native_engine(options, table);
   if (options.check == Check::native) return native;
   SolverEngine solver(table, options.axioms, options.planar, options.solver_timeout_ms);
   if (options.check == Check::solver) return solver;
   return BothEngines(std::move(native), std::move(solver), table);
 }
+
+/// Calls f(extents) at every leaf, in order. An engine that has just been reset follows each step.
+class ExtentsOfLeaves {
+ public:
+  ExtentsOfLeaves(NativeEngine engine, const Preorder& tree, std::size_t levels)
+      : engine_(std::move(engine)), nodes_(tree.nodes()), levels_(levels) {
+    engine_.reset();
+  }
+
+  template <class F>
+  void for_each(F&& f) {
+    if (!nodes_.empty()) walk(0, f);
+  }
+
+ private:
+  template <class F>
+  void walk(std::size_t k, F& f) {
+    for (bool more = true; more;) {
+      const Preorder::Node node = nodes_[at_++];
+      more = node.has_next_sibling;
+      const Step step = engine_.step(k, node.arm);
+      if (k + 1 == levels_) {
+        f(engine_.extents_after(k, node.arm, step));
+        continue;
+      }
+      engine_.enter(k, node.arm, step);
+      walk(k + 1, f);
+      engine_.leave(k, node.arm, step);
+    }
+  }
+
+  NativeEngine engine_;
+  std::span<const Preorder::Node> nodes_;
+  std::size_t levels_;
+  std::size_t at_ = 0;
+};
 
 }  // namespace
 
@@ -262,6 +303,25 @@ std::size_t MapTree::memory_bytes() const { return growing_->tree.memory_bytes()
 const Trace& MapTree::trace() const { return growing_->table.trace(); }
 
 std::span<const HypothesisId> MapTree::minimal() const { return growing_->minimal; }
+
+std::vector<std::vector<HypothesisId>> MapTree::by_preference() const {
+  std::map<Preference::Rank, std::vector<HypothesisId>> of_rank;
+  std::size_t leaf = 0;
+  const auto add = [&](const Extents& extents) {
+    of_rank[growing_->preference.rank(extents)].emplace_back(leaf++);
+  };
+  if (growing_->options.axioms.is_shipped())
+    ExtentsOfLeaves(native_engine(growing_->options, growing_->table), growing_->tree,
+                    growing_->table.visits())
+        .for_each(add);
+  else
+    for_each([&](HypothesisId, std::span<const Arrival> arrivals) {
+      add(extents_of(make_map(trace(), arrivals)));
+    });
+  std::vector<std::vector<HypothesisId>> result;
+  for (auto& [rank, hypotheses] : of_rank) result.push_back(std::move(hypotheses));
+  return result;
+}
 
 TopologicalMap MapTree::map(HypothesisId id) const {
   std::optional<TopologicalMap> map;

@@ -85,6 +85,9 @@ class MapTree {
   /// Those minimal under the preference of the axioms, in order.                  [DESIGN §6]
   std::span<const HypothesisId> minimal() const;
 
+  /// All of them by preference, the minimal ones first; those of one preference together, in order.
+  std::vector<std::vector<HypothesisId>> by_preference() const;
+
   /// Writes out one hypothesis. Walks the tree: for many, use for_each.
   TopologicalMap map(HypothesisId id) const;
   /// Calls f(id, where each visit was) for every hypothesis, in order.

@@ -18,6 +18,12 @@ struct Extents {
   std::uint32_t segments = 0;
 };
 
+/// ... of a map written out, as counted.
+inline Extents extents_of(const TopologicalMap& map) {
+  const auto size = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
+  return {.paths = size(map.paths), .places = size(map.places), .segments = size(map.segments)};
+}
+
 /// How a visit is explained: by the segment travelled before, by a new segment to a place known, or
 /// by a new segment to a new place.                                            [BMK10, Fig. 5]
 enum class Step { known, closure, new_place };

@@ -52,9 +52,7 @@ TopologicalMap SolverEngine::map_with(ArmIndex arm) const {
 }
 
 Extents SolverEngine::extents_after(std::size_t, ArmIndex arm, Step) const {
-  const TopologicalMap map = map_with(arm);
-  const auto size = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
-  return {.paths = size(map.paths), .places = size(map.places), .segments = size(map.segments)};
+  return extents_of(map_with(arm));
 }
 
 void BothEngines::compare(std::size_t k, std::vector<ArmIndex> native_children) {

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/grid.hpp"
+#include "core/ranked_map.hpp"
+#include "core/trace.hpp"
+#include "metric/place_walls.hpp"
+
+namespace asterism {
+
+struct AlignmentOptions {
+  double radius_m = 12;  ///< walls farther from where a visit was entered do not count
+
+  // Deviations of a gateway seen at two visits.
+  double aside_m = 0.3;  ///< of its middle, across the way
+  double ahead_m = 0.6;  ///< ... along it: where a corridor narrows is hard to say
+  double heading_rad = 0.15;
+
+  // Deviations of a bit of wall seen at two visits, and of what its neighbours share with it.
+  double wall_m = 0.15;
+  double shared_m = 0.02;
+  double shared_rad = 0.003;
+};
+
+/// L_i for a hypothesis' returns: where a visit was in the frame of the place's first.
+///                                                           [BMK10, §7.3.1] [DESIGN §12]
+/// Never searched blindly: it begins with the gateways that the hypothesis says are the same, and
+/// is refined on the walls of both place maps. Each asked for is worked out once.
+class PlaceAlignments {
+ public:
+  /// @param place_maps  of each visit in its frame, as far as there are any
+  PlaceAlignments(const Trace& trace, std::vector<std::optional<Grid>> place_maps,
+                  const AlignmentOptions& options = {});
+
+  /// @param entered  the arm of the first visit's star by which the later one was entered, by the
+  ///                 hypothesis
+  /// @return its `place` is the first visit's number: only the caller knows the map
+  /// @pre    the two visits' stars have as many arms
+  const Alignment& operator()(VisitId first, VisitId visit, std::size_t entered);
+
+ private:
+  struct GatewayPair {
+    MeasuredGateway first;
+    MeasuredGateway second;
+  };
+
+  std::vector<GatewayPair> pairs(VisitId first, VisitId visit, std::size_t entered) const;
+  Alignment align(const std::vector<GatewayPair>& pairs, VisitId first, VisitId visit);
+  const PlaceWalls* walls(VisitId visit);
+
+  const Trace& trace_;
+  std::vector<std::optional<Grid>> place_maps_;
+  AlignmentOptions options_;
+  std::vector<std::optional<PlaceWalls>> walls_;
+  std::map<std::array<std::size_t, 3>, Alignment> known_;
+};
+
+}  // namespace asterism

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/ranked_map.hpp"
+#include "core/topological_map.hpp"
+#include "core/trace.hpp"
+
+namespace asterism {
+
+/// L_i where a hypothesis has a visit return to the place of visit `first`, in by this arm of that
+/// visit's star.
+using AlignmentSource = std::function<Alignment(VisitId first, VisitId visit, std::size_t entered)>;
+
+struct RankingOptions {
+  std::size_t models = 5;    ///< ranked; the others are only known to come after them
+  double least_tail = 1e-3;  ///< of χ²: what is rarer than that by chance is implausible
+};
+
+/// Ranks the hypotheses that explain a trace: first those whose layout and alignments are
+/// plausible, among these the preferred, ties by log-likelihood; then the implausible ones alike.
+/// None is dropped: what is not reported ranks below what is.                              [DESIGN
+/// §12]
+///
+/// The hypotheses of one preference come together, in the order of the tree: then those that agree
+/// on the first visits share the layout of these, and what misfits them already is not laid out any
+/// further, since a sum of squares only grows. All of one preference have as many places, hence as
+/// many degrees of freedom, so that the bound on χ² is the same for all.
+class Ranking {
+ public:
+  /// @throws std::invalid_argument if a visit but the first has no displacement, or one whose
+  ///         covariance is not positive definite
+  Ranking(const Trace& trace, AlignmentSource alignments, const RankingOptions& options = {});
+  ~Ranking();
+
+  /// What a class of hypotheses is: calls its argument with each, in the order of the tree.
+  using Hypotheses = std::function<void(const std::function<void(std::span<const Arrival>)>&)>;
+
+  /// Takes the hypotheses of the next preference. Once it is settled there is no need to.
+  void add(Hypotheses preferred_next);
+  /// As many plausible ones as are reported are known: none of the hypotheses to come is among
+  /// them.
+  bool is_settled() const;
+
+  /// The best, in order. Lays out implausible ones only where plausible ones are too few.
+  std::vector<RankedMap> best();
+
+  /// How often a layout was solved for.
+  std::size_t layouts() const;
+
+ private:
+  class Search;
+
+  RankingOptions options_;
+  std::unique_ptr<Search> search_;
+  std::vector<RankedMap> plausible_;
+  std::vector<Hypotheses> classes_;
+};
+
+}  // namespace asterism
