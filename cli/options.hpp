@@ -66,11 +66,19 @@ struct PerceiveCommand {
   ScanDetectorOptions detector;
 };
 
+struct EvaluateCommand {
+  std::string trajectory;
+  std::optional<std::string> relations;  ///< this or the reference
+  std::optional<std::string> reference;
+  bool json = false;
+};
+
 /// Each prints its result on stdout, progress on stderr, and returns the exit code.
 int map_command(const MapCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int simulate_command(const SimulateCommand& command);
 int simulate_drive(const SimulateCommand& command);  ///< where it has a building
+int evaluate_command(const EvaluateCommand& command);
 int axioms_command(const AxiomOptions& options);
 int validate_command(const std::vector<std::string>& files);
 std::string version_text();
