@@ -122,6 +122,8 @@ void add_simulated_drive(CLI::App& simulate, SimulateCommand& command) {
                   ->capture_default_str());
   of_building(simulate.add_option("--true-trace", command.true_trace,
                                   "Write what a perfect observer would make of the log"));
+  of_building(simulate.add_option("--true-trajectory", command.true_trajectory,
+                                  "Write where the robot truly was at each scan, in TUM format"));
   of_building(simulate.add_option("--svg", command.svg, "Draw the building and the drive"));
 }
 
@@ -134,6 +136,7 @@ void add_simulate(CLI::App& app, SimulateCommand& command, std::function<int()>&
   asterism simulate --seed 7 | asterism map /dev/stdin --planar
   asterism simulate --building aces-like --seed 1 -o drive.log --true-trace drive.trace.json
   asterism simulate --building office --seed 5 --turned 30 -o drive.log --svg drive.svg
+  asterism simulate --building office -o drive.log --true-trajectory drive.tum
 Same options, same bytes.)");
   simulate.add_option("--world", command.world, "Kind of world")
       ->check(CLI::IsMember({"grid", "corridors"}))

@@ -52,6 +52,7 @@ struct SimulateCommand {
   std::string output = "-";
   std::optional<std::string> true_map;
   std::optional<std::string> true_trace;
+  std::optional<std::string> true_trajectory;
   std::optional<std::string> svg;
 };
 inline constexpr std::size_t default_travels = 20;
