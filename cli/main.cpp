@@ -122,6 +122,8 @@ void add_simulated_drive(CLI::App& simulate, SimulateCommand& command) {
                   ->capture_default_str());
   of_building(simulate.add_option("--true-trace", command.true_trace,
                                   "Write what a perfect observer would make of the log"));
+  of_building(simulate.add_option("--true-trajectory", command.true_trajectory,
+                                  "Write where the robot truly was at each scan, in TUM format"));
   of_building(simulate.add_option("--svg", command.svg, "Draw the building and the drive"));
 }
 
@@ -134,6 +136,7 @@ void add_simulate(CLI::App& app, SimulateCommand& command, std::function<int()>&
   asterism simulate --seed 7 | asterism map /dev/stdin --planar
   asterism simulate --building aces-like --seed 1 -o drive.log --true-trace drive.trace.json
   asterism simulate --building office --seed 5 --turned 30 -o drive.log --svg drive.svg
+  asterism simulate --building office -o drive.log --true-trajectory drive.tum
 Same options, same bytes.)");
   simulate.add_option("--world", command.world, "Kind of world")
       ->check(CLI::IsMember({"grid", "corridors"}))
@@ -254,6 +257,30 @@ go on, 70 internal fault or a result that cannot be written.)");
   perceive.callback([&] { chosen = [&] { return perceive_command(command); }; });
 }
 
+void add_evaluate(CLI::App& app, EvaluateCommand& command, std::function<int()>& chosen) {
+  CLI::App& evaluate =
+      *app.add_subcommand("evaluate", "Measure the errors of a trajectory against what is known");
+  evaluate.footer(R"(Examples:
+  asterism evaluate out/trajectory.tum --relations intel.relations.xz
+  asterism evaluate out/trajectory.tum --reference aces.gmapping.txt.xz --json
+Poses match by stamp, to the microsecond; where stamps repeat, the first pose of a file counts.
+Relations: mean and standard deviation of what the surveyed motion differs by from the estimated.
+Reference: root mean square after the rigid fit of the positions.
+Exit code: 0 there is a result, 64 usage, 65 bad input or no stamp in common.)");
+  evaluate.add_option("trajectory", command.trajectory, "TUM file, plain or packed by gzip or xz")
+      ->required();
+  CLI::Option_group& known = *evaluate.add_option_group("Known", "One of these");
+  known.add_option("--relations", command.relations, "Lines of t1 t2 x y z roll pitch yaw")
+      ->type_name("FILE");
+  known
+      .add_option("--reference", command.reference,
+                  "TUM file, or lines of scan_index timestamp x y theta kind; of these kind K")
+      ->type_name("FILE");
+  known.require_option(1);
+  evaluate.add_flag("--json", command.json, "Print the errors as JSON, in metres and radians");
+  evaluate.callback([&] { chosen = [&] { return evaluate_command(command); }; });
+}
+
 void add_axioms(CLI::App& app, AxiomOptions& options, std::function<int()>& chosen) {
   CLI::App& axioms = *app.add_subcommand("axioms", "Print the axioms in force");
   axioms.footer(R"(Examples:
@@ -292,12 +319,14 @@ int run(int argc, char** argv) {
   MapCommand map;
   PerceiveCommand perceive;
   SimulateCommand simulate;
+  EvaluateCommand evaluate;
   AxiomOptions axioms;
   std::vector<std::string> files;
   std::function<int()> chosen;
   add_map(app, map, chosen);
   add_perceive(app, perceive, chosen);
   add_simulate(app, simulate, chosen);
+  add_evaluate(app, evaluate, chosen);
   add_axioms(app, axioms, chosen);
   add_validate(app, files, chosen);
   try {

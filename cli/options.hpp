@@ -52,6 +52,7 @@ struct SimulateCommand {
   std::string output = "-";
   std::optional<std::string> true_map;
   std::optional<std::string> true_trace;
+  std::optional<std::string> true_trajectory;
   std::optional<std::string> svg;
 };
 inline constexpr std::size_t default_travels = 20;
@@ -66,11 +67,19 @@ struct PerceiveCommand {
   ScanDetectorOptions detector;
 };
 
+struct EvaluateCommand {
+  std::string trajectory;
+  std::optional<std::string> relations;  ///< this or the reference
+  std::optional<std::string> reference;
+  bool json = false;
+};
+
 /// Each prints its result on stdout, progress on stderr, and returns the exit code.
 int map_command(const MapCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int simulate_command(const SimulateCommand& command);
 int simulate_drive(const SimulateCommand& command);  ///< where it has a building
+int evaluate_command(const EvaluateCommand& command);
 int axioms_command(const AxiomOptions& options);
 int validate_command(const std::vector<std::string>& files);
 std::string version_text();

@@ -11,6 +11,7 @@
 #include "io/atomic_file.hpp"
 #include "io/carmen_log.hpp"
 #include "io/trace_file.hpp"
+#include "io/trajectory_file.hpp"
 #include "simulation/drive.hpp"
 #include "simulation/office_building.hpp"
 #include "simulation/ring_building.hpp"
@@ -51,9 +52,14 @@ int simulate_drive(const SimulateCommand& command) {
   const Route route = make_route(command, building.world, engine);
   Drive drive(building, route, {.people = command.people, .disguised = !command.plain}, engine());
   std::vector<Pose2> told;
+  Trajectory world_from_robot;
   const ScanSource next = [&] {
     auto scan = drive.next();
     if (scan && command.svg) told.push_back(scan->odom_from_robot);
+    if (scan && command.true_trajectory) {
+      world_from_robot.push_back(
+          {scan->stamp_s, drive.world_from_robot()[static_cast<std::size_t>(scan->number)]});
+    }
     return scan;
   };
   if (command.output == "-")
@@ -63,6 +69,7 @@ int simulate_drive(const SimulateCommand& command) {
   Walk truth = drive.truth();
   truth.trace.name = fmt::format("{}-seed-{}", building.name, command.seed);
   if (command.true_trace) write_trace_file(*command.true_trace, truth.trace);
+  if (command.true_trajectory) write_trajectory_file(*command.true_trajectory, world_from_robot);
   if (command.true_map) write_true_map(*command.true_map, truth);
   if (command.svg)
     write_atomically(*command.svg, building_svg(building, drive.world_from_robot(), told));

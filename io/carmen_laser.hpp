@@ -6,6 +6,7 @@
 
 #include "core/scan.hpp"
 #include "io/carmen_log.hpp"
+#include "io/line_words.hpp"
 
 namespace asterism {
 
@@ -14,6 +15,9 @@ inline constexpr std::string_view max_range_parameter = "robot_front_laser_max";
 inline constexpr std::string_view x_parameter = "robot_frontlaser_offset";
 inline constexpr std::string_view y_parameter = "robot_frontlaser_side_offset";
 inline constexpr std::string_view heading_parameter = "robot_frontlaser_angular_offset";
+
+inline constexpr Bounds offset_bounds{-100, 100};  ///< of a laser on a robot, metres or radians
+inline constexpr Bounds range_bounds_m{0, 1e6};
 
 /// What ROBOTLASER1 says of its laser.
 struct StatedLaser {

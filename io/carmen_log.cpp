@@ -1,28 +1,18 @@
 #include "io/carmen_log.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
-#include <fstream>
+#include <istream>
 
 #include "core/error.hpp"
 #include "io/carmen_laser.hpp"
-#include "io/carmen_line.hpp"
+#include "io/line_words.hpp"
 #include "io/text_file.hpp"
 
 namespace asterism {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::unique_ptr<std::istream> opened(const std::string& file) {
-  std::error_code ignored;  // what cannot be asked for cannot be opened either
-  if (fs::is_directory(file, ignored)) throw InputError(file, "a directory", "a file");
-  errno = 0;
-  auto in = std::make_unique<std::ifstream>(file, std::ios::binary);
-  if (!*in) throw InputError(file, system_message(errno), "a file that can be read");
-  return in;
-}
 
 bool is_message_name(std::string_view word) {
   const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
@@ -32,7 +22,7 @@ bool is_message_name(std::string_view word) {
 }
 
 /// What ends every message; its stamp.
-double read_stamp(CarmenLine& line) {
+double read_stamp(LineWords& line) {
   const double stamp_s = line.number("ipc_timestamp");
   line.word("host");
   line.number("logger_timestamp");
@@ -49,7 +39,7 @@ class LogReader::Parser {
 
   std::optional<Scan> next() {
     while (const auto text = lines_.next()) {
-      CarmenLine line(*text, lines_);
+      LineWords line(*text, lines_);
       const std::string_view name = line.next_word();
       if (name.empty() || name.front() == '#') continue;
       if (name == "FLASER") {
@@ -83,7 +73,7 @@ class LogReader::Parser {
     return scan;
   }
 
-  Scan read_flaser(CarmenLine& line) {
+  Scan read_flaser(LineWords& line) {
     Scan scan;
     scan.ranges_m = line.numbers(line.count("the number of ranges", 1), "range", range_bounds_m);
     line.pose("");
@@ -93,7 +83,7 @@ class LogReader::Parser {
     return scan;
   }
 
-  Scan read_robotlaser(CarmenLine& line) {
+  Scan read_robotlaser(LineWords& line) {
     Scan scan;
     StatedLaser stated;
     line.number("laser_type");
@@ -117,7 +107,7 @@ class LogReader::Parser {
     return scan;
   }
 
-  void read_parameter(CarmenLine& line) {
+  void read_parameter(LineWords& line) {
     const std::string name(line.word("the name of a parameter"));
     std::optional<double>* const value = laser_.parameter(name);
     if (!value) return;
@@ -132,7 +122,7 @@ class LogReader::Parser {
 };
 
 LogReader::LogReader(const std::string& file, const LogOptions& options)
-    : LogReader(opened(file), file, options) {
+    : LogReader(opened_file(file), file, options) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return;
   const auto size = fs::file_size(file, error);

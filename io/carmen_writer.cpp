@@ -5,9 +5,9 @@
 
 #include "io/atomic_file.hpp"
 #include "io/carmen_laser.hpp"
-#include "io/carmen_line.hpp"
 #include "io/carmen_log.hpp"
 #include "io/json_value.hpp"
+#include "io/line_words.hpp"
 
 namespace asterism {
 namespace {

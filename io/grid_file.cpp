@@ -102,6 +102,8 @@ PngImage picture(const Grid& grid) {
   return image;
 }
 
+}  // namespace
+
 void require_writable(const Grid& grid) {
   const bool has_size = grid.width > 0 && grid.height > 0 &&
                         grid.log_odds.size() == static_cast<std::size_t>(grid.width) *
@@ -115,8 +117,6 @@ void require_writable(const Grid& grid) {
   if (std::ranges::any_of(grid.log_odds, [](float cell) { return std::isnan(cell); }))
     throw std::invalid_argument("grid: found a cell that is no number; expected log-odds");
 }
-
-}  // namespace
 
 float log_odds_of_grey(std::uint8_t grey) {
   return static_cast<float>(std::log((free_grey + 0.5 - grey) / (grey + 0.5)));

@@ -23,6 +23,10 @@ float log_odds_of_grey(std::uint8_t grey);
 /// The grey nearest in probability.  @pre not NaN
 std::uint8_t grey_of_log_odds(float log_odds);
 
+/// Throws std::invalid_argument unless a grid has cells, as many as it says, a resolution and
+/// log-odds that are numbers.
+void require_writable(const Grid& grid);
+
 /// Reads both files.
 /// @param file  the JSON
 /// @throws InputError "file: found ...; expected ...", strictly: no unknown keys, the PNG of just

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <vector>
 
+#include "io/path_of_arm.hpp"
 #include "io/svg.hpp"
 
 namespace asterism {
@@ -27,34 +27,6 @@ constexpr double bend_radius = 16;
 constexpr double line_height = 20;
 constexpr double character_width = 7.6;  ///< an upper estimate at 13 px, whatever the font
 constexpr double legend_width = 300;
-
-/// The path of each arm. Paths are numbered by their smallest arms, so in the order found.
-using PathOfArm = std::map<PlaceArm, std::size_t>;
-
-PathOfArm paths_of_arms(const TopologicalMap& map) {
-  std::map<PlaceArm, PlaceArm> linked;
-  for (const auto& [one, other] : map.segments) {
-    linked.insert({one, other});
-    linked.insert({other, one});
-  }
-  PathOfArm result;
-  std::size_t path = 0;
-  for (std::size_t p = 0; p < map.places.size(); ++p) {
-    for (std::size_t arm = 0; arm < map.places[p].star.size(); ++arm) {
-      std::vector<PlaceArm> open{{PlaceId(p), arm}};
-      if (result.contains(open.front())) continue;
-      while (!open.empty()) {
-        const PlaceArm at = open.back();
-        open.pop_back();
-        if (!result.insert({at, path}).second) continue;
-        open.push_back({at.place, map.places[at.place.index()].star.opposite(at.arm)});
-        if (const auto over = linked.find(at); over != linked.end()) open.push_back(over->second);
-      }
-      ++path;
-    }
-  }
-  return result;
-}
 
 const char* colour(std::size_t path) { return palette[path % palette.size()]; }
 

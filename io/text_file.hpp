@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <iosfwd>
+#include <memory>
 #include <string>
 
 namespace asterism {
@@ -9,6 +11,13 @@ namespace asterism {
 /// @throws InputError "file: found ...; expected ..." if it cannot be read or has more than
 ///         `max_bytes`
 std::string read_text_file(const std::string& file, std::size_t max_bytes);
+
+/// The same, unpacked if it is packed by gzip or xz; the bound holds for what is unpacked.
+std::string read_unpacked_file(const std::string& file, std::size_t max_bytes);
+
+/// A file to read from.
+/// @throws InputError "file: found ...; expected ..." if it is a directory or cannot be opened
+std::unique_ptr<std::istream> opened_file(const std::string& file);
 
 /// What the system says of an error number (errno), as part of a message.
 std::string system_message(int error);

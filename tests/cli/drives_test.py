@@ -3,7 +3,9 @@
 drives_test.py PROGRAM SOURCE_FOLDER [unittest options]
 """
 
+import cmath
 import json
+import math
 import sys
 import unittest
 
@@ -33,6 +35,30 @@ class Drives(Folder):
                 self.assertEqual(visits[0]["scans"][0], 0)
                 self.assertEqual(visits[-1]["scans"][1], len(scans) - 1)
                 self.assertTrue(svg.read_text().startswith("<?xml"))
+
+    def test_the_true_trajectory_has_a_pose_a_scan_and_agrees_with_the_true_trace(self):
+        tum = self.folder / "true.tum"
+        done = self.drive("office", "--seed", "5", "--travels", "4", "--true-trajectory", tum)
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        scans = [line.split() for line in self.log.read_text().splitlines()
+                 if line.startswith("FLASER ")]
+        lines = [[float(word) for word in line.split()] for line in tum.read_text().splitlines()
+                 if not line.startswith("#")]
+        self.assertEqual([line[0] for line in lines], [float(scan[-1]) for scan in scans])
+        poses = [(complex(x, y), cmath.rect(1, 2 * math.atan2(qz, qw)))
+                 for _, x, y, _, _, _, qz, qw in lines]
+        # Odometry is right at the first scan.
+        x, y, heading = map(float, scans[0][-6:-3])
+        self.assertAlmostEqual(poses[0][0], complex(x, y))
+        self.assertAlmostEqual(poses[0][1], cmath.rect(1, heading))
+        visits = json.loads(self.trace.read_text())["visits"]
+        self.assertEqual(len(visits), 5)
+        for left, reached in zip(visits, visits[1:]):
+            (left_at, left_to), (reached_at, reached_to) = (
+                poses[visit["scans"][0]] for visit in (left, reached))
+            told = reached["displacement"]
+            self.assertAlmostEqual((reached_at - left_at) / left_to, complex(told["x_m"], told["y_m"]))
+            self.assertAlmostEqual(reached_to / left_to, cmath.rect(1, told["heading_rad"]))
 
     def test_a_drive_through_the_ring_is_perceived_visit_by_visit(self):
         self.drive("aces-like", "--seed", "1", "--travels", "2")

@@ -13,11 +13,15 @@ namespace fs = std::filesystem;
 
 const fs::path tests = fs::path(ASTERISM_SOURCE_DIR) / "tests";
 
-/// Files of a kind; any file is a log.
+/// Whether files of a kind are JSON, and lie in tests/traces too. Of other kinds any file is one.
+bool is_json(const std::string& kind) {
+  return kind == "trace" || kind == "maps" || kind == "detector_lines";
+}
+
 std::set<fs::path> listed(const fs::path& folder, const std::string& kind) {
   std::set<fs::path> result;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (kind == "carmen" || entry.path().filename().string().ends_with('.' + kind + ".json"))
+    if (!is_json(kind) || entry.path().filename().string().ends_with('.' + kind + ".json"))
       result.insert(entry.path());
   return result;
 }
@@ -43,7 +47,7 @@ std::vector<BadFile> bad_files(const std::string& kind) {
 
 std::vector<fs::path> good_files(const std::string& kind) {
   auto files = listed(tests / "corpus" / kind / "good", kind);
-  if (kind != "carmen") files.merge(listed(tests / "traces", kind));
+  if (is_json(kind)) files.merge(listed(tests / "traces", kind));
   return {files.begin(), files.end()};
 }
 

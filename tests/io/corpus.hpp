@@ -12,7 +12,7 @@ struct BadFile {
   std::string message;
 };
 
-/// The bad files of one kind, "trace", "maps" or "carmen", as listed in bad.tsv (the file first,
+/// The bad files of one kind, which is a folder of tests/corpus, as listed in bad.tsv (the file first,
 /// the message last); which must list them all.
 std::vector<BadFile> bad_files(const std::string& kind);
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,36 +23,52 @@ struct Bounds {
 inline constexpr Bounds above_0{std::numeric_limits<double>::min()};
 inline constexpr Bounds position_bounds_m{-1e7, 1e7};  ///< so that cells stay countable
 inline constexpr Bounds heading_bounds_rad{-1e6, 1e6};
-inline constexpr Bounds offset_bounds{-100, 100};  ///< of a laser on a robot, metres or radians
-inline constexpr Bounds range_bounds_m{0, 1e6};
 
-/// The words of one line of a log, taken from the left; asked for what each must be.
+/// The words of one line of a text, taken from the left; asked for what each must be.
 ///
 /// Every question throws InputError where the next word is something else: "file:line: found ...;
 /// expected ...".
-class CarmenLine {
+class LineWords {
  public:
   /// The line that `reader` read last. Both must outlive this.
-  CarmenLine(std::string_view text, const LineReader& reader) : rest_(text), reader_(&reader) {}
+  LineWords(std::string_view text, const LineReader& reader) : rest_(text), reader_(&reader) {}
 
   /// The next word, empty at the end of the line.
   std::string_view next_word();
   /// A word, whatever it says.
   std::string_view word(const std::string& name);
   double number(const std::string& name, Bounds bounds = {});
+  /// An integer, of things that could be listed in the line.
   std::size_t count(const std::string& name, std::size_t smallest);
+  /// An integer from 0 to `largest`, written in digits alone.
+  std::uint64_t integer(const std::string& name, std::uint64_t largest);
   /// So many numbers of a kind.
   std::vector<double> numbers(std::size_t size, const std::string& name, Bounds bounds = {});
   /// Position and heading, each named `name` and what it is.
   Pose2 pose(const std::string& name);
+  /// A number that is 0 of what lies in the plane, up to 1e-3, since some write few digits.
+  double planar_zero(const std::string& name);
   /// The end of the line. `last` names the word before it.
   void end(const std::string& last);
 
-  [[noreturn]] void refuse(std::string_view found, const std::string& expected) const;
+  /// A word found where another is expected; none is the end of the line.
+  [[noreturn]] void refuse(std::string_view word, const std::string& expected) const;
+  /// The same of what the words say together.
+  [[noreturn]] void complain(const std::string& found, const std::string& expected) const;
 
  private:
   std::string_view rest_;
   const LineReader* reader_;
 };
+
+/// The next line that is neither blank nor a comment, which starts with #; nothing after the last.
+std::optional<LineWords> next_data_line(LineReader& reader);
+
+/// The shortest decimal, without exponent, that reads back as the same double.  @pre finite
+std::string decimal(double value);
+
+/// Throws std::invalid_argument "what: found ...; expected ..." unless LineWords::pose would read
+/// it.
+void require_writable(const Pose2& pose, const std::string& what);
 
 }  // namespace asterism

@@ -1,8 +1,11 @@
-#include "io/carmen_line.hpp"
+#include "io/line_words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "core/error.hpp"
 #include "io/json_value.hpp"
@@ -31,27 +34,27 @@ std::string described(const std::string& name, Bounds bounds) {
 
 }  // namespace
 
-std::string_view CarmenLine::next_word() {
+std::string_view LineWords::next_word() {
   rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));
   const auto word = rest_.substr(0, rest_.find_first_of(blanks));
   rest_.remove_prefix(word.size());
   return word;
 }
 
-std::string_view CarmenLine::word(const std::string& name) {
+std::string_view LineWords::word(const std::string& name) {
   const auto word = next_word();
   if (word.empty()) refuse(word, name);
   return word;
 }
 
-double CarmenLine::number(const std::string& name, Bounds bounds) {
+double LineWords::number(const std::string& name, Bounds bounds) {
   const auto word = next_word();
   const auto value = number_of(word, bounds);
   if (!value) refuse(word, described(name, bounds));
   return *value;
 }
 
-std::size_t CarmenLine::count(const std::string& name, std::size_t smallest) {
+std::size_t LineWords::count(const std::string& name, std::size_t smallest) {
   const auto word = next_word();
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -62,7 +65,17 @@ std::size_t CarmenLine::count(const std::string& name, std::size_t smallest) {
   return value;
 }
 
-std::vector<double> CarmenLine::numbers(std::size_t size, const std::string& name, Bounds bounds) {
+std::uint64_t LineWords::integer(const std::string& name, std::uint64_t largest) {
+  const auto word = next_word();
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool is_integer = error == std::errc() && end == word.data() + word.size() && !word.empty();
+  if (!is_integer || value > largest)
+    refuse(word, name + ", an integer from 0 to " + std::to_string(largest));
+  return value;
+}
+
+std::vector<double> LineWords::numbers(std::size_t size, const std::string& name, Bounds bounds) {
   std::vector<double> result;
   result.reserve(std::min(size, rest_.size() / 2));  // the line may be shorter than it says
   while (result.size() < size) {
@@ -77,20 +90,53 @@ std::vector<double> CarmenLine::numbers(std::size_t size, const std::string& nam
   return result;
 }
 
-Pose2 CarmenLine::pose(const std::string& name) {
+Pose2 LineWords::pose(const std::string& name) {
   const double x_m = number(name + "x", position_bounds_m);
   const double y_m = number(name + "y", position_bounds_m);
   return {x_m, y_m, wrapped(number(name + "theta", heading_bounds_rad))};
 }
 
-void CarmenLine::end(const std::string& last) {
+double LineWords::planar_zero(const std::string& name) {
+  constexpr double tolerance = 1e-3;
+  const double value = number(name);
+  if (!(std::abs(value) <= tolerance)) refuse(decimal(value), name + " 0 of a planar pose");
+  return value;
+}
+
+void LineWords::end(const std::string& last) {
   const auto word = next_word();
   if (!word.empty()) refuse(word, "the end of the line after " + last);
 }
 
-void CarmenLine::refuse(std::string_view found, const std::string& expected) const {
-  throw InputError(reader_->where(), found.empty() ? "the end of the line" : shown(found),
-                   expected);
+void LineWords::refuse(std::string_view word, const std::string& expected) const {
+  complain(word.empty() ? "the end of the line" : shown(word), expected);
+}
+
+void LineWords::complain(const std::string& found, const std::string& expected) const {
+  throw InputError(reader_->where(), found, expected);
+}
+
+std::optional<LineWords> next_data_line(LineReader& reader) {
+  while (const auto text = reader.next()) {
+    const auto first = LineWords(*text, reader).next_word();
+    if (!first.empty() && !first.starts_with('#')) return LineWords(*text, reader);
+  }
+  return std::nullopt;
+}
+
+std::string decimal(double value) {
+  std::array<char, 512> buffer{};  // a double has at most some 350 digits
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
+          .ptr;
+  return {buffer.data(), end};
+}
+
+void require_writable(const Pose2& pose, const std::string& what) {
+  if (!position_bounds_m.contain(pose.x_m) || !position_bounds_m.contain(pose.y_m) ||
+      !heading_bounds_rad.contain(pose.heading_rad))
+    throw std::invalid_argument(what +
+                                ": found a pose out of all bounds; expected metres and radians");
 }
 
 }  // namespace asterism

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+
+#include "core/topological_map.hpp"
+
+namespace asterism {
+
+/// The path of each arm. Paths are numbered by their smallest arms, as those of the map are.
+using PathOfArm = std::map<PlaceArm, std::size_t>;
+
+PathOfArm paths_of_arms(const TopologicalMap& map);
+
+}  // namespace asterism
