@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
+#include "io/path_colours.hpp"
 #include "io/path_of_arm.hpp"
 #include "io/svg.hpp"
 
@@ -15,11 +15,6 @@ namespace {
 
 using Point = MapDrawing::Point;
 
-// Okabe and Ito's colours for all kinds of sight, without their yellow, which fades on white paper;
-// then darker companions. Neighbouring numbers differ in lightness too.
-constexpr std::array palette{"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9",
-                             "#882255", "#999933", "#332288", "#44aa99", "#aa4499", "#6d4c41"};
-
 constexpr double pixels_per_unit = 160;
 constexpr double margin = 28;
 constexpr double disc = 15;
@@ -27,8 +22,6 @@ constexpr double bend_radius = 16;
 constexpr double line_height = 20;
 constexpr double character_width = 7.6;  ///< an upper estimate at 13 px, whatever the font
 constexpr double legend_width = 300;
-
-const char* colour(std::size_t path) { return palette[path % palette.size()]; }
 
 Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
 Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
@@ -89,7 +82,8 @@ class Picture {
   }
 
   static std::string stroke(std::size_t path, const char* more = "") {
-    return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"5\" {}", colour(path), more);
+    return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"5\" {}", path_colour(path),
+                       more);
   }
 
   void draw_map() {
@@ -132,7 +126,7 @@ class Picture {
       add_line(place + disc * along, place + 31 * along, stroke(path, "stroke-dasharray=\"5 3\""));
       for (const double side : {-1.0, 1.0})  // the mouth of a corridor
         add_line(place + 31 * along + (2.5 * side) * aside, place + 38 * along + (8 * side) * aside,
-                 fmt::format("stroke=\"{}\" stroke-width=\"2.5\"", colour(path)));
+                 fmt::format("stroke=\"{}\" stroke-width=\"2.5\"", path_colour(path)));
     } else {
       const Point end = place + 30 * along;
       add_line(place + disc * along, end, stroke(path));
