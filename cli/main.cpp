@@ -172,6 +172,39 @@ Same options, same bytes.)");
   simulate.callback([&] { chosen = [&] { return simulate_command(command); }; });
 }
 
+void add_log(CLI::App& command, std::string& log, LogOptions& laser) {
+  command.add_option("log", log, "CARMEN log, plain or packed by gzip or xz")->required();
+  command
+      .add_option_function<double>(
+          "--fov", [&](double degrees) { laser.field_of_view_rad = radians(degrees); },
+          "Field of view of the laser, degrees")
+      ->type_name("DEG")
+      ->check(number_between(0.1, 360, "degrees, 0.1 to 360"));
+  command.add_option("--max-range", laser.max_range_m, "A range of this or more is no return")
+      ->type_name("M")
+      ->check(number_between(0.1, 1e4, "metres, 0.1 to 10000"));
+  command
+      .add_option_function<std::vector<double>>(
+          "--laser-offset",
+          [&](const std::vector<double>& at) {
+            laser.robot_from_laser = {at[0], at[1], wrapped(radians(at[2]))};
+          },
+          "Where the laser stands on the robot: metres ahead, metres left, degrees")
+      ->type_name("X,Y,DEG")
+      ->delimiter(',')
+      ->expected(3);
+}
+
+void add_gateway_width(CLI::App& command, ScanDetectorOptions& detector) {
+  command
+      .add_option("--min-gateway-width-m,--min-gateway-width",
+                  detector.topology.skeleton.min_gateway_width_m,
+                  "Openings of less measured clearance lead nowhere")
+      ->type_name("M")
+      ->check(number_between(0.1, 10, "metres, 0.1 to 10"))
+      ->capture_default_str();
+}
+
 void add_perceive(CLI::App& app, PerceiveCommand& command, std::function<int()>& chosen) {
   CLI::App& perceive = *app.add_subcommand("perceive", "Turn a laser log into a trace");
   perceive.footer(R"(Examples:
@@ -182,7 +215,7 @@ void add_perceive(CLI::App& app, PerceiveCommand& command, std::function<int()>&
 With -o FILE.trace.json the maps of the places go to the folder FILE.lpm beside it.
 Exit code: 0 there is a trace, 64 usage, 65 bad input or no place in it, 69 a detector that cannot
 go on, 70 internal fault or a result that cannot be written.)");
-  perceive.add_option("log", command.log, "CARMEN log, plain or packed by gzip or xz")->required();
+  add_log(perceive, command.log, command.laser);
   perceive.add_option("-o,--output", command.output, "Trace file; -: stdout")
       ->type_name("FILE")
       ->capture_default_str();
@@ -205,12 +238,6 @@ go on, 70 internal fault or a result that cannot be written.)");
   plots.excludes(&library)->excludes(&program);
   perceive
       .add_option_function<double>(
-          "--fov", [&](double degrees) { command.laser.field_of_view_rad = radians(degrees); },
-          "Field of view of the laser, degrees")
-      ->type_name("DEG")
-      ->check(number_between(0.1, 360, "degrees, 0.1 to 360"));
-  perceive
-      .add_option_function<double>(
           "--heading",
           [&](double degrees) { command.detector.start_heading_rad = radians(degrees); },
           "Heading of the robot at the first scan, degrees from the map's x-axis [0]")
@@ -218,26 +245,7 @@ go on, 70 internal fault or a result that cannot be written.)");
       ->check(number_between(-360, 360, "degrees, -360 to 360"))
       ->excludes(&library)
       ->excludes(&program);
-  perceive
-      .add_option("--max-range", command.laser.max_range_m, "A range of this or more is no return")
-      ->type_name("M")
-      ->check(number_between(0.1, 1e4, "metres, 0.1 to 10000"));
-  perceive
-      .add_option_function<std::vector<double>>(
-          "--laser-offset",
-          [&](const std::vector<double>& at) {
-            command.laser.robot_from_laser = {at[0], at[1], wrapped(radians(at[2]))};
-          },
-          "Where the laser stands on the robot: metres ahead, metres left, degrees")
-      ->type_name("X,Y,DEG")
-      ->delimiter(',')
-      ->expected(3);
-  perceive
-      .add_option("--min-gateway-width", command.detector.topology.skeleton.min_gateway_width_m,
-                  "Openings of less measured clearance lead nowhere")
-      ->type_name("M")
-      ->check(number_between(0.1, 10, "metres, 0.1 to 10"))
-      ->capture_default_str();
+  add_gateway_width(perceive, command.detector);
   perceive
       .add_option("--resolution", command.detector.lpm.resolution_m, "Side of a cell of the map")
       ->type_name("M")
@@ -247,14 +255,55 @@ go on, 70 internal fault or a result that cannot be written.)");
       ->type_name("N")
       ->check(CLI::Range(60, 2000))
       ->capture_default_str();
-  perceive
-      .add_option_function<double>(
-          "--start-heading",
-          [&](double degrees) { command.detector.start_heading_rad = wrapped(radians(degrees)); },
-          "Heading of the robot on the map at the first scan; turns the grid, not the result")
-      ->type_name("DEG")
-      ->check(number_between(-360, 360, "degrees, -360 to 360"));
   perceive.callback([&] { chosen = [&] { return perceive_command(command); }; });
+}
+
+void add_run(CLI::App& app, RunCommand& command, std::function<int()>& chosen) {
+  CLI::App& run = *app.add_subcommand("run", "Map a building from a laser log, all the way");
+  run.footer(R"(Examples:
+  asterism run drive.log.xz -o drive
+  asterism run drive.log -o drive --planar --models 10
+  asterism run drive.log -o drive --max-range 8.18 --min-gateway-width-m 0.9 --json
+Perceives the trace, grows every map that explains it, ranks them by preference and layout, and
+draws the best: DIR/report.html shows it all; DIR/log.trace.json, maps.json; of the best model
+trajectory.tum, map.pgm, map.yaml, map.png, layout.g2o, map.graphml, map.dot, routes.geojson, of the
+others the same in model-2, model-3 ...
+Exit code: 0 a map explains the trace, 1 none does and the best of the longest part that one explains
+is drawn, 2 a limit ended the run, 64 usage, 65 bad input or no place in it, 70 internal fault or a
+result that cannot be written.)");
+  add_log(run, command.log, command.laser);
+  run.add_option("-o,--output", command.folder, "Folder for the results")
+      ->type_name("DIR")
+      ->required();
+  run.add_flag("--planar", command.maps.planar, "Keep the maps that can be drawn in the plane");
+  run.add_option("--models", command.models, "Maps to rank and draw")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  run.add_option_function<std::string>(
+         "--rank", [&](const std::string& which) { command.only_minimal = which == "minimal"; },
+         "Rank all maps, or the minimal models alone [all]")
+      ->check(CLI::IsMember({"all", "minimal"}));
+  add_gateway_width(run, command.detector);
+  run.add_option("--resolution", command.resolution_m, "Side of a cell of the global map")
+      ->type_name("M")
+      ->check(number_between(0.01, 1, "metres, 0.01 to 1"))
+      ->capture_default_str();
+  run.add_option("--certify", command.maps.certify_s,
+                 "Seconds the solver has to prove the minimal maps minimal; 0: off")
+      ->type_name("S")
+      ->check(number_between(0, 1e6, "seconds, 0 or more"))
+      ->capture_default_str();
+  command.maps.max_hypotheses = 10'000'000;
+  run.add_option("--max-hypotheses", command.maps.max_hypotheses,
+                 "Stop growing maps where a visit leaves more")
+      ->type_name("N")
+      ->check(whole_number)
+      ->capture_default_str();
+  run.add_option("--time-limit", command.maps.time_limit_s, "Stop growing maps after so long")
+      ->type_name("S");
+  run.add_flag("--json", command.json, "Print a summary as JSON");
+  run.callback([&] { chosen = [&] { return run_command(command); }; });
 }
 
 void add_evaluate(CLI::App& app, EvaluateCommand& command, std::function<int()>& chosen) {
@@ -318,6 +367,7 @@ int run(int argc, char** argv) {
 
   MapCommand map;
   PerceiveCommand perceive;
+  RunCommand whole;
   SimulateCommand simulate;
   EvaluateCommand evaluate;
   AxiomOptions axioms;
@@ -325,6 +375,7 @@ int run(int argc, char** argv) {
   std::function<int()> chosen;
   add_map(app, map, chosen);
   add_perceive(app, perceive, chosen);
+  add_run(app, whole, chosen);
   add_simulate(app, simulate, chosen);
   add_evaluate(app, evaluate, chosen);
   add_axioms(app, axioms, chosen);

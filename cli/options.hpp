@@ -67,6 +67,18 @@ struct PerceiveCommand {
   ScanDetectorOptions detector;
 };
 
+struct RunCommand {
+  std::string log;
+  std::string folder;
+  LogOptions laser;
+  ScanDetectorOptions detector;
+  MapOptions maps;
+  std::size_t models = 5;  ///< ranked and drawn
+  bool only_minimal = false;
+  double resolution_m = 0.05;  ///< of the global map
+  bool json = false;
+};
+
 struct EvaluateCommand {
   std::string trajectory;
   std::optional<std::string> relations;  ///< this or the reference
@@ -77,6 +89,7 @@ struct EvaluateCommand {
 /// Each prints its result on stdout, progress on stderr, and returns the exit code.
 int map_command(const MapCommand& command);
 int perceive_command(const PerceiveCommand& command);
+int run_command(const RunCommand& command);
 int simulate_command(const SimulateCommand& command);
 int simulate_drive(const SimulateCommand& command);  ///< where it has a building
 int evaluate_command(const EvaluateCommand& command);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/ranked_map.hpp"
 #include "core/topological_map.hpp"
 
 namespace asterism {
@@ -40,6 +41,9 @@ struct MapReport {
   std::optional<std::string> stopped_by;  ///< which limit, where not complete
   std::optional<Minimal> minimal;         ///< absent: nothing is consistent, or not all listed
   std::vector<TopologicalMap> maps;       ///< sorted by (visits, entered)
+  /// Visits explained, where no map explains all of the trace.
+  std::optional<std::size_t> explained_visits = {};
+  std::vector<RankedMap> ranked = {};  ///< in order of rank; empty: none was laid out
 };
 
 }  // namespace asterism

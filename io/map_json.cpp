@@ -137,18 +137,24 @@ Trace trace_of(const TopologicalMap& map) {
 
 }  // namespace
 
-void write_map(std::ostream& out, const TopologicalMap& map) {
+void write_map(std::ostream& out, const TopologicalMap& map, std::span<const std::string> more) {
   out << "    { \"visits\": " << json_of(map.visits)
       << ",\n      \"entered\": " << json_of(map.entered)
       << ",\n      \"left\": " << json_of(map.left)
       << ",\n      \"places\": " << json_of(map.places)
       << ",\n      \"paths\": " << json_of(map.paths)
-      << ",\n      \"segments\": " << json_of(map.segments) << " }";
+      << ",\n      \"segments\": " << json_of(map.segments);
+  for (const std::string& part : more) out << ",\n      " << part;
+  out << " }";
 }
 
 TopologicalMap read_map(const JsonNode& node) {
   node.require_keys({"visits", "entered", "left", "places", "paths", "segments"},
                     Extensions::refused);
+  return read_map_parts(node);
+}
+
+TopologicalMap read_map_parts(const JsonNode& node) {
   TopologicalMap map;
   map.places = read_places(node["places"]);
   map.visits = read_visits(node["visits"], node["places"], map.places);

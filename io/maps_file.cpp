@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -9,6 +10,8 @@
 #include "io/atomic_file.hpp"
 #include "io/json_node.hpp"
 #include "io/map_json.hpp"
+#include "io/maps_agreement.hpp"
+#include "io/ranked_json.hpp"
 #include "io/text_file.hpp"
 
 namespace asterism {
@@ -112,62 +115,18 @@ std::vector<TopologicalMap> read_sorted_maps(const JsonNode& node) {
   return maps;
 }
 
-std::string number_of_maps(std::uint64_t number) {
-  return std::to_string(number) + (number == 1 ? " map" : " maps");
-}
-
-/// Where nothing cut the run short, all counts are those of the same maps.
-void require_complete(const JsonNode& root, const MapReport& report) {
-  if (report.consistent && report.per_visit && *report.consistent != report.per_visit->back())
-    root["consistent"].refuse(std::to_string(report.per_visit->back()) + ", the last of per_visit");
-  if (report.consistent && (*report.consistent > 0) != report.minimal.has_value())
-    root["minimal"].refuse(report.minimal ? "null, since no map is consistent"
-                                          : "an object, since a map is consistent");
-  if (report.per_visit && !report.maps.empty() &&
-      report.per_visit->size() != report.maps.front().visits.size())
-    root["per_visit"].refuse(
-        "an array of " + std::to_string(report.per_visit->size()),
-        std::to_string(report.maps.front().visits.size()) + ", one a visit of the maps");
-  if (report.options.all && report.consistent && *report.consistent != report.maps.size())
-    root["maps"].refuse(number_of_maps(report.maps.size()), std::to_string(*report.consistent));
-}
-
-/// What is to be minimised, most important first. Nothing where the maps do not tell it: where a
-/// predicate is another than these, or a user's axioms may make fewer paths of a map.
-std::optional<std::vector<std::size_t>> extents(const MapOptions& options, std::size_t paths,
-                                                std::size_t places) {
-  std::vector<std::size_t> result;
-  for (const std::string& predicate : options.preference) {
-    if (options.axioms != "shipped" || (predicate != "path" && predicate != "place"))
-      return std::nullopt;
-    result.push_back(predicate == "path" ? paths : places);
+std::vector<RankedMap> read_ranked(const JsonNode& node) {
+  std::vector<RankedMap> result;
+  std::set<std::tuple<std::vector<PlaceId>, std::vector<std::optional<std::size_t>>>> known;
+  for (const JsonNode& item : node.items()) {
+    result.push_back(read_ranked_map(item));
+    const TopologicalMap& map = result.back().map;
+    if (!known.emplace(map.visits, map.entered).second) item.refuse("a map again", "each map once");
+    if (result.size() > 1 && result.back().is_plausible && !result[result.size() - 2].is_plausible)
+      item["plausible"].refuse("false, as in the map before");
   }
+  if (result.empty()) node.refuse("an empty array", "at least one map, or no such key");
   return result;
-}
-
-/// The maps listed hold as many minimal models as told, and none below them; or only these.
-void require_minimal(const JsonNode& root, const MapReport& report) {
-  const auto& [paths, places, count, certified] = *report.minimal;
-  if (count == 0) root["minimal"]["count"].refuse("at least 1");
-  if (report.maps.size() < count || (!report.options.all && report.maps.size() != count))
-    root["maps"].refuse(number_of_maps(report.maps.size()),
-                        (report.options.all ? "at least " : "") + std::to_string(count));
-
-  const auto least = extents(report.options, paths, places);
-  if (!least) return;
-  std::size_t number = 0;
-  for (std::size_t i = 0; i < report.maps.size(); ++i) {
-    const TopologicalMap& map = report.maps[i];
-    const auto these = extents(report.options, map.paths.size(), map.places.size());
-    if (these == least) ++number;
-    if (these < least || (!report.options.all && these != least))
-      root["maps"].items()[i].refuse(
-          std::to_string(map.paths.size()) + " paths, " + std::to_string(map.places.size()) +
-              " places",
-          std::to_string(paths) + " and " + std::to_string(places) + " as in minimal");
-  }
-  if (number != count)
-    root["maps"].refuse(number_of_maps(number) + " as in minimal", std::to_string(count));
 }
 
 }  // namespace
@@ -180,13 +139,19 @@ void write_maps(std::ostream& out, const MapReport& report, const MapSource& map
       << ",\n  \"per_visit\": " << json_of(report.per_visit)
       << ",\n  \"complete\": " << json_of(report.complete);
   if (report.stopped_by) out << ", \"stopped_by\": " << json_of(*report.stopped_by);
+  if (report.explained_visits) out << ",\n  \"explained\": " << json_of(*report.explained_visits);
   out << ",\n  \"minimal\": " << json_of(report.minimal) << ",\n  \"maps\": [";
   bool is_first = true;
   maps([&](const TopologicalMap& map) {
     out << (std::exchange(is_first, false) ? "\n" : ",\n");
     write_map(out, map);
   });
-  out << (is_first ? "] }\n" : " ] }\n");
+  out << (is_first ? "]" : " ]");
+  for (const RankedMap& ranked : report.ranked) {
+    out << (&ranked == report.ranked.data() ? ",\n  \"ranked\": [\n" : ",\n");
+    write_ranked_map(out, ranked);
+  }
+  out << (report.ranked.empty() ? " }\n" : " ] }\n");
 }
 
 void write_maps(std::ostream& out, const MapReport& report) {
@@ -208,7 +173,7 @@ MapReport read_maps(std::string_view json_text, const std::string& file_name) {
   root["format"].require("\"asterism/maps\"");
   root["version"].require("1");
   root.require_keys({"format", "version", "trace", "options", "consistent", "per_visit", "complete",
-                     "stopped_by", "minimal", "maps"},
+                     "stopped_by", "explained", "minimal", "maps", "ranked"},
                     Extensions::refused);
 
   MapReport report;
@@ -228,12 +193,11 @@ MapReport read_maps(std::string_view json_text, const std::string& file_name) {
   if (const auto minimal = root["minimal"]; !minimal.is_null())
     report.minimal = read_minimal(minimal);
   report.maps = read_sorted_maps(root["maps"]);
+  if (const auto explained = root["explained"]; explained.exists())
+    report.explained_visits = explained.count();
+  if (const auto ranked = root["ranked"]; ranked.exists()) report.ranked = read_ranked(ranked);
 
-  if (report.complete) require_complete(root, report);
-  if (report.minimal)
-    require_minimal(root, report);
-  else if (!report.options.all && !report.maps.empty())
-    root["maps"].refuse(number_of_maps(report.maps.size()), "none, as minimal is null");
+  require_agreement(root, report);
   return report;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "io/json_value.hpp"
+#include "io/pose_json.hpp"
 #include "io/trace_file.hpp"
 
 namespace asterism {
@@ -36,10 +37,8 @@ void append_members(const std::string& object, std::vector<std::string>& lines) 
 }
 
 std::string displacement_json(const Displacement& displacement) {
-  return "{ \"x_m\": " + json_number(displacement.x_m) +
-         ", \"y_m\": " + json_number(displacement.y_m) +
-         ", \"heading_rad\": " + json_number(displacement.heading_rad) +
-         ", \"covariance\": " + list(displacement.covariance) + " }";
+  const auto& [x_m, y_m, heading_rad, covariance] = displacement;
+  return "{ " + pose_members({x_m, y_m, heading_rad}, covariance) + " }";
 }
 
 std::string gateway_json(const MeasuredGateway& gateway) {

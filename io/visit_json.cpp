@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "io/pose_json.hpp"
+
 namespace asterism {
 namespace {
 
@@ -18,14 +20,8 @@ std::size_t read_arm(const JsonNode& node, const Star& star) {
 
 Displacement read_displacement(const JsonNode& node) {
   node.require_keys({"x_m", "y_m", "heading_rad", "covariance"}, Extensions::refused);
-  Displacement result{node["x_m"].number(), node["y_m"].number(), node["heading_rad"].number(), {}};
-  const JsonNode covariance = node["covariance"];
-  const auto numbers = covariance.items(9, "numbers");
-  std::ranges::transform(numbers, result.covariance.begin(), &JsonNode::number);
-  if (!is_covariance(result.covariance))
-    covariance.refuse("an asymmetric or indefinite matrix",
-                      "a symmetric, positive semi-definite matrix, row by row");
-  return result;
+  const Pose2 pose = read_pose(node);
+  return {pose.x_m, pose.y_m, pose.heading_rad, read_covariance(node)};
 }
 
 std::array<long long, 2> read_scans(const JsonNode& node) {

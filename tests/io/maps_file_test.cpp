@@ -1,11 +1,13 @@
 #include "io/maps_file.hpp"
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <random>
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "io/trace_file.hpp"
 #include "tests/io/corpus.hpp"
 #include "tests/io/same.hpp"
@@ -35,6 +37,45 @@ MapReport corner() {
   report.minimal = {3, 3, 1, true};
   report.maps = {make_map(trace, arrivals)};
   return report;
+}
+
+PoseCovariance any_covariance(RandomEngine& random) {
+  const double across = between(-0.9, 0.9, random);
+  return {0.25, 0.05 * across, 0, 0.05 * across, 0.01, 0, 0, 0, uniform(random)};
+}
+
+Pose2 any_pose(RandomEngine& random) {
+  return {normal(random), 100 * normal(random), between(-3, 3, random)};
+}
+
+Misfit any_misfit(RandomEngine& random) {
+  if (chance(0.2, random)) return {};
+  return {between(0, 30, random), 1 + below(9, random), uniform(random)};
+}
+
+/// A map with a layout as chance has it.
+RankedMap ranked(const TopologicalMap& map, RandomEngine& random) {
+  RankedMap result{map};
+  for (std::size_t i = 0; i < map.places.size(); ++i) {
+    result.layout.layout_from_place.push_back(any_pose(random));
+    result.layout.covariances.push_back(i == 0 ? PoseCovariance{} : any_covariance(random));
+  }
+  for (std::size_t k = 0; k + 1 < map.visits.size(); ++k) {
+    const Pose2 pose = any_pose(random);
+    result.displacements.push_back(
+        {map.visits[k],
+         map.visits[k + 1],
+         {pose.x_m, pose.y_m, pose.heading_rad, any_covariance(random)}});
+  }
+  for (std::size_t k = 0; k < map.visits.size(); ++k)
+    if (map.places[map.visits[k].index()].first_visit.index() != k && chance(0.8, random))
+      result.alignments.push_back({VisitId(k), map.visits[k], any_pose(random),
+                                   any_covariance(random), any_misfit(random), uniform(random)});
+  result.misfit = any_misfit(random);
+  result.layout.chi_squared = result.misfit.chi_squared;
+  result.log_likelihood = 20 * normal(random);
+  result.is_plausible = chance(0.5, random);
+  return result;
 }
 
 /// A walk among places that are joined as chance has it: no axiom is asked, so that paths may meet
@@ -151,6 +192,59 @@ TEST_CASE("random maps are read as they were written", "[io][property]") {
   report.maps = {random_map(random)};
   report.minimal = {report.maps[0].paths.size(), report.maps[0].places.size(), 1, false};
   CHECK(same(read_maps(text_of(report), "again"), report));
+  report.ranked = {ranked(report.maps[0], random)};
+  CHECK(same(read_maps(text_of(report), "again"), report));
+}
+
+TEST_CASE("a ranked map is written part by part, one line a pose", "[io]") {
+  MapReport report = corner();
+  const std::string before = text_of(report);
+  RankedMap map{report.maps[0]};
+  map.layout = {{{}, {1.5, -2, 0.5}, {3, 0, -1}}, {PoseCovariance{}, {}, {}}, 2.25};
+  map.displacements = {{PlaceId(0), PlaceId(1), {1.5, -2, 0.5, {1, 0, 0, 0, 1, 0, 0, 0, 1}}},
+                       {PlaceId(1), PlaceId(2), {}}};
+  map.misfit = {2.25, 4, 0.5};
+  map.log_likelihood = -3;
+  report.ranked = {map};
+  const std::string zeros = "\"covariance\": [0, 0, 0, 0, 0, 0, 0, 0, 0]";
+  const std::string text = text_of(report);
+  const std::string start = before.substr(0, before.size() - 3);  // without " }\n"
+  REQUIRE(text.starts_with(start + ",\n  \"ranked\": [\n    { \"visits\": [0, 1, 2],\n"));
+  CHECK(text.substr(text.find("      \"plausible\"")) ==
+        "      \"plausible\": true, \"tail_probability\": 0.5, \"chi_squared\": 2.25, "
+        "\"degrees_of_freedom\": 4, \"log_likelihood\": -3,\n"
+        "      \"layout\": [\n"
+        "        {\"x_m\": 0, \"y_m\": 0, \"heading_rad\": 0, " +
+            zeros +
+            "},\n"
+            "        {\"x_m\": 1.5, \"y_m\": -2, \"heading_rad\": 0.5, " +
+            zeros +
+            "},\n"
+            "        {\"x_m\": 3, \"y_m\": 0, \"heading_rad\": -1, " +
+            zeros +
+            "}],\n"
+            "      \"displacements\": [\n"
+            "        {\"from\": 0, \"to\": 1, \"x_m\": 1.5, \"y_m\": -2, \"heading_rad\": 0.5, "
+            "\"covariance\": [1, 0, 0, 0, 1, 0, 0, 0, 1]},\n"
+            "        {\"from\": 1, \"to\": 2, \"x_m\": 0, \"y_m\": 0, \"heading_rad\": 0, " +
+            zeros + "}],\n      \"alignments\": [] } ] }\n");
+  CHECK(same(read_maps(text, "again"), report));
+}
+
+TEST_CASE("a ranked map whose layout is not its own is not written", "[io]") {
+  MapReport report = corner();
+  RankedMap map{report.maps[0]};
+  map.layout = {std::vector<Pose2>(3), std::vector<PoseCovariance>(3), 0};
+  map.displacements = {{PlaceId(0), PlaceId(1), {}}, {PlaceId(1), PlaceId(2), {}}};
+  report.ranked = {map};
+  CHECK_NOTHROW(text_of(report));
+  RankedMap& wrong = report.ranked[0];
+  SECTION("no layout") { wrong.layout = {}; }
+  SECTION("a covariance missing") { wrong.layout.covariances.pop_back(); }
+  SECTION("a pose too many") { wrong.layout.layout_from_place.push_back({}); }
+  SECTION("no number") { wrong.misfit.chi_squared = std::numeric_limits<double>::quiet_NaN(); }
+  SECTION("infinite") { wrong.layout.layout_from_place[1].x_m = HUGE_VAL; }
+  CHECK_THROWS_AS(text_of(report), std::invalid_argument);
 }
 
 }  // namespace asterism

@@ -122,9 +122,10 @@ TEST_CASE("what a pose graph says is read, in the order of the ids", "[io]") {
 }
 
 TEST_CASE("a pose graph is written a part a line", "[io]") {
-  const PoseGraph graph{{{0, 0, 0}, {2, 0.5, pi / 2}},
-                        {{PlaceId(0), PlaceId(1), {2, 0.5, 1.5, {0.25, 0, 0, 0, 0.0625, 0, 0, 0, 4}}}},
-                        {PlaceId(0)}};
+  const PoseGraph graph{
+      {{0, 0, 0}, {2, 0.5, pi / 2}},
+      {{PlaceId(0), PlaceId(1), {2, 0.5, 1.5, {0.25, 0, 0, 0, 0.0625, 0, 0, 0, 4}}}},
+      {PlaceId(0)}};
   CHECK(written(graph) ==
         "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 2 0.5 1.5707963267948966\nFIX 0\n"
         "EDGE_SE2 0 1 2 0.5 1.5 4 0 0 16 0 0.25\n");

@@ -19,6 +19,12 @@ auto members(const MapOptions& o) {
                   o.max_hypotheses, o.time_limit_s, o.all);
 }
 
+auto members(const PlaceDisplacement& d) { return std::tie(d.from, d.to, d.displacement); }
+
+auto members(const Misfit& m) {
+  return std::tie(m.chi_squared, m.degrees_of_freedom, m.tail_probability);
+}
+
 template <class Part>
 bool equal(const Part& a, const Part& b) {
   return members(a) == members(b);
@@ -41,6 +47,29 @@ bool equal(const TopologicalMap& a, const TopologicalMap& b) {
   return plain(a) == plain(b) && equal(a.places, b.places) && equal(a.paths, b.paths);
 }
 
+bool equal(const Alignment& a, const Alignment& b) {
+  const auto plain = [](const Alignment& x) {
+    return std::tie(x.visit, x.place, x.place_from_visit, x.covariance, x.matched_walls);
+  };
+  return plain(a) == plain(b) && equal(a.misfit, b.misfit);
+}
+
+bool equal(const RankedMap& a, const RankedMap& b) {
+  const auto plain = [](const RankedMap& r) {
+    return std::tie(r.layout.layout_from_place, r.layout.covariances, r.layout.chi_squared,
+                    r.log_likelihood, r.is_plausible);
+  };
+  return plain(a) == plain(b) && equal(a.map, b.map) && equal(a.misfit, b.misfit) &&
+         equal(a.displacements, b.displacements) &&
+         std::ranges::equal(a.alignments, b.alignments,
+                            [](const Alignment& x, const Alignment& y) { return equal(x, y); });
+}
+
+template <class Part>
+bool all_equal(const std::vector<Part>& a, const std::vector<Part>& b) {
+  return std::ranges::equal(a, b, [](const Part& x, const Part& y) { return equal(x, y); });
+}
+
 }  // namespace
 
 bool same(const Trace& a, const Trace& b) {
@@ -49,12 +78,11 @@ bool same(const Trace& a, const Trace& b) {
 
 bool same(const MapReport& a, const MapReport& b) {
   const auto plain = [](const MapReport& r) {
-    return std::tie(r.trace, r.consistent, r.per_visit, r.complete, r.stopped_by);
+    return std::tie(r.trace, r.consistent, r.per_visit, r.complete, r.stopped_by,
+                    r.explained_visits);
   };
   return plain(a) == plain(b) && equal(a.options, b.options) && equal(a.minimal, b.minimal) &&
-         std::ranges::equal(a.maps, b.maps, [](const TopologicalMap& x, const TopologicalMap& y) {
-           return equal(x, y);
-         });
+         all_equal(a.maps, b.maps) && all_equal(a.ranked, b.ranked);
 }
 
 }  // namespace asterism

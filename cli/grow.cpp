@@ -1,0 +1,106 @@
+#include "cli/grow.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/map_parts.hpp"
+#include "engine/certify.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr std::uint64_t most_maps_in_chart = 10'000'000;
+
+std::vector<std::vector<Arrival>> minimal_models(const MapTree& tree) {
+  std::vector<std::vector<Arrival>> models;
+  tree.for_each(tree.minimal(), [&](HypothesisId, std::span<const Arrival> arrivals) {
+    models.emplace_back(arrivals.begin(), arrivals.end());
+  });
+  const auto key = [](const std::vector<Arrival>& model) {
+    std::pair<std::vector<PlaceId>, std::vector<std::optional<std::size_t>>> result;
+    for (const auto& [place, entered] : model) {
+      result.first.push_back(place);
+      result.second.push_back(entered);
+    }
+    return result;
+  };
+  std::ranges::sort(models, {}, key);
+  return models;
+}
+
+}  // namespace
+
+std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
+                                Progress& progress) {
+  const bool may_stop = command.options.max_hypotheses || command.options.time_limit_s ||
+                        command.options.check != "native";
+  const std::size_t step = may_stop ? 1 : trace.visits.size();
+  for (std::size_t k = 0; k < trace.visits.size(); k += step) {
+    // The tree asks now and then within a level; a small one is over before.
+    if (may_stop && !progress(k, tree.size())) return progress.stopped_by();
+    switch (tree.extend(std::span(trace.visits).subspan(k, step))) {
+      case MapTree::Growth::complete:
+        break;
+      case MapTree::Growth::stopped:
+        return progress.stopped_by();
+      case MapTree::Growth::too_many:
+        return fmt::format("limit of {} hypotheses", *command.options.max_hypotheses);
+    }
+  }
+  return std::nullopt;
+}
+
+MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomSet& axioms,
+                    std::optional<std::string> stopped_by, Progress& progress) {
+  MapReport report;
+  report.options = command.options;
+  report.options.preference = axioms.preference();
+  report.per_visit = std::vector(tree.per_visit().begin(), tree.per_visit().end());
+  if (report.per_visit->empty()) report.per_visit.reset();
+  report.stopped_by = std::move(stopped_by);
+  if (!report.stopped_by && tree.undecided() > 0)
+    report.stopped_by = fmt::format("{} candidates undecided by the solver", tree.undecided());
+  report.complete = !report.stopped_by;
+  if (tree.trace().visits.size() < command.visits) return report;
+
+  report.consistent = tree.size();
+  if (tree.size() == 0) return report;
+  const auto models = minimal_models(tree);
+  for (const auto& model : models) report.maps.push_back(make_map(tree.trace(), model));
+  report.minimal = {.paths = report.maps.front().paths.size(),
+                    .places = report.maps.front().places.size(),
+                    .count = models.size(),
+                    .certified = false};
+  if (command.options.certify_s > 0) {
+    progress.grown("certifying the minimal models");
+    const Certificate certificate =
+        certify(tree.trace(), axioms, command.options.planar, models, command.options.certify_s);
+    // What was kept undecided may well be refuted, given more time.
+    if (certificate == Certificate::refuted && tree.undecided() == 0)
+      throw std::logic_error("the solver refutes the minimal models of the tree");
+    report.minimal->certified = certificate == Certificate::shown;
+  }
+  return report;
+}
+
+std::vector<std::uint64_t> other_counts(const MapCommand& command, const AxiomSet& axioms,
+                                        const Trace& trace) {
+  MapCommand other = command;
+  other.options.planar = !command.options.planar;
+  if (axioms.is_shipped()) other.options.check = "native";
+  other.options.max_hypotheses =
+      std::min(other.options.max_hypotheses.value_or(UINT64_MAX), most_maps_in_chart);
+  Progress progress(trace.visits.size(), command.options.time_limit_s);
+  MapTree::Options options = tree_options(other, axioms);
+  options.go_on = std::ref(progress);
+  MapTree tree(std::move(options));
+  grow(tree, trace, other, progress);
+  return {tree.per_visit().begin(), tree.per_visit().end()};
+}
+
+}  // namespace asterism

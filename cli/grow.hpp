@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options.hpp"
+#include "cli/progress.hpp"
+#include "core/map_report.hpp"
+#include "engine/map_tree.hpp"
+
+namespace asterism {
+
+/// Grows the tree by the whole trace. In one pass where nothing can stop it early, since that is
+/// the fastest; else visit by visit, to end on a whole level.
+/// @return  what stopped it, if anything did
+std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
+                                Progress& progress);
+
+/// What a grown tree says of a trace, its minimal models certified if there is time for it.
+/// @throws std::logic_error if the solver refutes them
+MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomSet& axioms,
+                    std::optional<std::string> stopped_by, Progress& progress);
+
+/// How many maps each visit leaves, under the other view on planarity: for the chart, whose curve
+/// ends where there would be too many for a picture.
+std::vector<std::uint64_t> other_counts(const MapCommand& command, const AxiomSet& axioms,
+                                        const Trace& trace);
+
+}  // namespace asterism

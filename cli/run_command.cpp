@@ -1,0 +1,287 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <numeric>
+
+#include "cli/grow.hpp"
+#include "cli/map_parts.hpp"
+#include "cli/map_text.hpp"
+#include "cli/options.hpp"
+#include "cli/perceive_parts.hpp"
+#include "cli/run_files.hpp"
+#include "core/error.hpp"
+#include "engine/explain.hpp"
+#include "io/atomic_file.hpp"
+#include "io/map_svg.hpp"
+#include "io/maps_file.hpp"
+#include "io/run_report.hpp"
+#include "io/trace_file.hpp"
+#include "metric/alignment.hpp"
+#include "metric/global_map.hpp"
+#include "metric/ranking.hpp"
+#include "metric/trajectory.hpp"
+#include "planarity/plane_drawing.hpp"
+
+namespace asterism {
+namespace {
+
+namespace fs = std::filesystem;
+
+Pose2 pose(const Displacement& d) { return {d.x_m, d.y_m, d.heading_rad}; }
+
+/// What perception made of a log.
+struct Perceived {
+  Trace trace;
+  std::vector<std::optional<Grid>> place_maps;  ///< of each visit
+  std::vector<Scan> scans;
+  std::vector<LocalPose> poses;  ///< of each scan
+};
+
+Perceived perceive(const RunCommand& command) {
+  Perceived result;
+  result.trace.name = stem_of(command.log);
+  const fs::path map_folder = fs::path(command.folder) / "log.lpm";
+  make_folder(map_folder);
+  LogReader log(command.log, command.laser);
+  ScanDetector detector(command.detector);
+  const std::size_t scans = detect(
+      log, detector,
+      [&](const Scan& scan) {
+        result.scans.push_back(scan);
+        result.poses.push_back({scan.stamp_s, detector.map_from_robot()});
+      },
+      [&](DetectedVisit detected) {
+        if (detected.place_map)
+          detected.visit.lpm =
+              write_place_map(map_folder, result.place_maps.size(), *detected.place_map);
+        result.place_maps.push_back(std::move(detected.place_map));
+        result.trace.visits.push_back(std::move(detected.visit));
+      });
+  require_visits(result.trace, command.log, scans);
+  write_trace_file((fs::path(command.folder) / "log.trace.json").string(), result.trace);
+  return result;
+}
+
+/// The maps of a trace, or of as much of it as can be explained.
+struct Explained {
+  Trace trace;  ///< the visits explained
+  MapTree tree;
+  MapReport report;
+  std::vector<std::uint64_t> other_per_visit;  ///< under the other view on planarity
+  std::string why = {};                        ///< no more could be
+};
+
+MapTree tree_of(const MapCommand& command, const AxiomSet& axioms, const Trace& trace) {
+  MapTree tree(tree_options(command, axioms));
+  tree.extend(trace.visits);
+  return tree;
+}
+
+/// Why no map of the visits so far explains the next: all of them hold a segment by which the robot
+/// left, and that leads where something else is seen.
+std::string why_not(const Trace& trace, const TopologicalMap& map, bool planar) {
+  const std::size_t k = map.visits.size();
+  const PlaceArm left{map.visits.back(), map.left.back().value()};
+  for (const auto& [one, other] : map.segments) {
+    if (one != left && other != left) continue;
+    const PlaceArm reached = one == left ? other : one;
+    const TopologicalMap::Place& place = map.places[reached.place.index()];
+    std::vector<Arrival> child = arrivals(map);
+    child.push_back({reached.place, reached.arm});
+    std::string names;
+    if (const auto reason = explain_dropped(trace, child, AxiomSet::shipped(), planar))
+      for (const std::string& name : reason->axioms) names += (names.empty() ? "" : ", ") + name;
+    return fmt::format(
+        "visit {} came by the way from place {} to place {}, in by arm {}, where visit {} saw {}; "
+        "it saw {}, in by arm {}{}",
+        k, left.place.index(), reached.place.index(), place.star.name(reached.arm),
+        place.first_visit.index(), place.star.text(), trace.visits[k].star.text(),
+        trace.visits[k].star.name(trace.visits[k].entered_by.value()),
+        names.empty() ? "" : fmt::format(" (against {})", names));
+  }
+  return fmt::format("visit {} is at no place, known or new", k);
+}
+
+Explained explain(const RunCommand& command, const Trace& trace) {
+  MapCommand maps;
+  maps.options = command.maps;
+  maps.visits = trace.visits.size();
+  const AxiomSet axioms = AxiomSet::shipped();
+  Progress progress(trace.visits.size(), command.maps.time_limit_s);
+  MapTree::Options options = tree_options(maps, axioms);
+  options.go_on = std::ref(progress);
+  MapTree tree(std::move(options));
+  std::optional<std::string> stopped_by = grow(tree, trace, maps, progress);
+  MapReport report = report_of(tree, maps, axioms, stopped_by, progress);
+  report.trace = trace.name;
+
+  Explained result{trace, std::move(tree), std::move(report), other_counts(maps, axioms, trace)};
+  std::span<const std::uint64_t> counts = result.tree.per_visit();
+  const auto explained =
+      static_cast<std::size_t>(std::ranges::find(counts, std::uint64_t{0}) - counts.begin());
+  if (explained == trace.visits.size()) return result;
+  result.trace.visits.erase(result.trace.visits.begin() + static_cast<std::ptrdiff_t>(explained),
+                            result.trace.visits.end());
+  if (explained < counts.size()) result.tree = tree_of(maps, axioms, result.trace);
+  result.report.explained_visits = explained;
+  if (stopped_by) result.why = fmt::format("growing the tree was stopped: {}", *stopped_by);
+  return result;
+}
+
+std::vector<RankedMap> rank(const RunCommand& command, const Perceived& perceived,
+                            const Explained& explained) {
+  PlaceAlignments alignments(explained.trace, perceived.place_maps);
+  Ranking ranking(explained.trace, std::ref(alignments), {.models = command.models});
+  for (const auto& hypotheses : explained.tree.by_preference()) {
+    ranking.add([&tree = explained.tree, hypotheses](const auto& f) {
+      tree.for_each(hypotheses, [&](HypothesisId, std::span<const Arrival> map) { f(map); });
+    });
+    if (ranking.is_settled() || command.only_minimal) break;
+  }
+  return ranking.best();
+}
+
+/// Where each visit was, by the layout: [x_{i,0}]_{m*} = χ ⊕ L_i. Visits that the map does not
+/// explain follow by displacement alone.                              [BMK10, §7.3.3] [DESIGN §12]
+std::vector<Anchor> anchors(const Trace& trace, const RankedMap& ranked) {
+  std::vector<Pose2> layout_from_visit;
+  for (const PlaceId place : ranked.map.visits)
+    layout_from_visit.push_back(ranked.layout.layout_from_place[place.index()]);
+  for (const Alignment& alignment : ranked.alignments) {
+    Pose2& visit = layout_from_visit[alignment.visit.index()];
+    visit = visit * alignment.place_from_visit;
+  }
+  std::vector<Anchor> result;
+  for (std::size_t k = 0; k < trace.visits.size(); ++k) {
+    if (k == layout_from_visit.size())
+      layout_from_visit.push_back(layout_from_visit.back() * pose(*trace.visits[k].displacement));
+    result.push_back(
+        {static_cast<std::size_t>(trace.visits[k].scans.value()[0]), layout_from_visit[k]});
+  }
+  return result;
+}
+
+DrawnModel draw_model(const RunCommand& command, const Perceived& perceived, RankedMap ranked) {
+  DrawnModel model{std::move(ranked)};
+  model.trajectory = fit_trajectory(perceived.poses, anchors(perceived.trace, model.ranked));
+  model.global_map =
+      global_map(perceived.scans, model.trajectory, {.resolution_m = command.resolution_m});
+  return model;
+}
+
+Grid odometry_map(const RunCommand& command, const std::vector<Scan>& scans) {
+  Trajectory wheels;
+  for (const Scan& scan : scans)
+    wheels.push_back({scan.stamp_s, inverse(scans.front().odom_from_robot) * scan.odom_from_robot});
+  return global_map(scans, wheels, {.resolution_m = command.resolution_m});
+}
+
+RunReport report_of(const RunCommand& command, const Perceived& perceived,
+                    const Explained& explained, const std::vector<DrawnModel>& models) {
+  RunReport page;
+  page.log = perceived.trace.name;
+  page.scans = perceived.scans.size();
+  page.duration_s = perceived.scans.back().stamp_s - perceived.scans.front().stamp_s;
+  for (std::size_t i = 1; i < perceived.poses.size(); ++i)
+    page.driven_m += norm(perceived.poses[i].map_from_robot.position() -
+                          perceived.poses[i - 1].map_from_robot.position());
+  page.trace = perceived.trace;
+  page.place_maps = perceived.place_maps;
+  page.odometry_map = odometry_map(command, perceived.scans);
+  page.planar = command.maps.planar;
+  const auto own = explained.report.per_visit.value_or(std::vector<std::uint64_t>{});
+  page.all_per_visit = page.planar ? explained.other_per_visit : own;
+  page.planar_per_visit = page.planar ? own : explained.other_per_visit;
+  page.consistent = explained.report.consistent;
+  page.minimal = explained.report.minimal;
+  if (explained.report.explained_visits)
+    page.unexplained = {{*explained.report.explained_visits, explained.why}};
+  for (const DrawnModel& model : models)
+    page.models.push_back(
+        {model.ranked, model.global_map, model.trajectory,
+         map_svg(model.ranked.map, draw(model.ranked.map), perceived.trace.name)});
+  return page;
+}
+
+std::string model_text(std::size_t rank, const DrawnModel& model) {
+  const RankedMap& ranked = model.ranked;
+  std::string text = fmt::format(
+      "model {}: {}, {} paths, {} places, chi-squared {:.1f} of {} degrees of freedom (tail "
+      "{:.2g}), "
+      "log-likelihood {:.1f}\n  visits at places",
+      rank, ranked.is_plausible ? "plausible" : "implausible", ranked.map.paths.size(),
+      ranked.map.places.size(), ranked.misfit.chi_squared, ranked.misfit.degrees_of_freedom,
+      ranked.misfit.tail_probability, ranked.log_likelihood);
+  for (const PlaceId place : ranked.map.visits) text += fmt::format(" {}", place.index());
+  return text + '\n';
+}
+
+std::string summary_json(const Perceived& perceived, const Explained& explained,
+                         const std::vector<DrawnModel>& models) {
+  const MapReport& report = explained.report;
+  std::string text = fmt::format(
+      "{{\n  \"scans\": {}, \"visits\": {}, \"explained_visits\": {}, \"consistent\": {},\n"
+      "  \"models\": [",
+      perceived.scans.size(), perceived.trace.visits.size(), explained.trace.visits.size(),
+      report.consistent ? fmt::format("{}", *report.consistent) : "null");
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const RankedMap& ranked = models[i].ranked;
+    std::string visits;
+    for (const PlaceId place : ranked.map.visits)
+      visits += fmt::format("{}{}", visits.empty() ? "" : ", ", place.index());
+    text += fmt::format(
+        "{}\n    {{ \"plausible\": {}, \"paths\": {}, \"places\": {}, \"chi_squared\": {}, "
+        "\"degrees_of_freedom\": {}, \"tail_probability\": {}, \"log_likelihood\": {},\n"
+        "      \"visits\": [{}] }}",
+        i == 0 ? "" : ",", ranked.is_plausible, ranked.map.paths.size(), ranked.map.places.size(),
+        ranked.misfit.chi_squared, ranked.misfit.degrees_of_freedom, ranked.misfit.tail_probability,
+        ranked.log_likelihood, visits);
+  }
+  return text + "\n  ]\n}\n";
+}
+
+}  // namespace
+
+int run_command(const RunCommand& command) {
+  const fs::path folder(command.folder);
+  make_folder(folder);
+  const auto tell = [&](const std::string& stage) {
+    if (!command.json) fmt::print("{}\n", stage);
+    std::fflush(stdout);
+  };
+  const Perceived perceived = perceive(command);
+  const std::size_t visits = perceived.trace.visits.size();
+  tell(
+      fmt::format("{}: {} scans, {} visits", perceived.trace.name, perceived.scans.size(), visits));
+
+  Explained explained = explain(command, perceived.trace);
+  tell(report_text(explained.report, visits, 0));
+  explained.report.ranked = rank(command, perceived, explained);
+  if (explained.report.explained_visits && explained.why.empty())
+    explained.why =
+        why_not(perceived.trace, explained.report.ranked.front().map, command.maps.planar);
+  if (!explained.why.empty()) tell(explained.why);
+  write_maps_file((folder / "maps.json").string(), explained.report);
+
+  std::vector<DrawnModel> models;
+  for (const RankedMap& ranked : explained.report.ranked) {
+    models.push_back(draw_model(command, perceived, ranked));
+    const std::size_t rank = models.size();
+    write_model(rank == 1 ? folder : folder / fmt::format("model-{}", rank), models.back());
+    tell(model_text(rank, models.back()));
+  }
+  write_atomically((folder / "report.html").string(),
+                   run_report_html(report_of(command, perceived, explained, models)));
+  if (command.json)
+    fmt::print("{}", summary_json(perceived, explained, models));
+  else
+    fmt::print("results are in {}: look at report.html first\n", command.folder);
+  if (!explained.report.complete) return exit_undecided;
+  return explained.report.explained_visits ? exit_inconsistent : exit_consistent;
+}
+
+}  // namespace asterism

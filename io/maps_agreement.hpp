@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/map_report.hpp"
+#include "io/json_node.hpp"
+
+namespace asterism {
+
+/// Refuses a report whose counts, maps and ranked maps, each read already, do not agree.
+/// @param root  where the report was read from
+/// @throws InputError
+void require_agreement(const JsonNode& root, const MapReport& report);
+
+}  // namespace asterism
