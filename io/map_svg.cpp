@@ -3,22 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <vector>
 
+#include "io/path_colours.hpp"
 #include "io/svg.hpp"
 
 namespace asterism {
 namespace {
 
 using Point = MapDrawing::Point;
-
-// Okabe and Ito's colours for all kinds of sight, without their yellow, which fades on white paper;
-// then darker companions. Neighbouring numbers differ in lightness too.
-constexpr std::array palette{"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9",
-                             "#882255", "#999933", "#332288", "#44aa99", "#aa4499", "#6d4c41"};
 
 constexpr double pixels_per_unit = 160;
 constexpr double margin = 28;
@@ -27,36 +21,6 @@ constexpr double bend_radius = 16;
 constexpr double line_height = 20;
 constexpr double character_width = 7.6;  ///< an upper estimate at 13 px, whatever the font
 constexpr double legend_width = 300;
-
-/// The path of each arm. Paths are numbered by their smallest arms, so in the order found.
-using PathOfArm = std::map<PlaceArm, std::size_t>;
-
-PathOfArm paths_of_arms(const TopologicalMap& map) {
-  std::map<PlaceArm, PlaceArm> linked;
-  for (const auto& [one, other] : map.segments) {
-    linked.insert({one, other});
-    linked.insert({other, one});
-  }
-  PathOfArm result;
-  std::size_t path = 0;
-  for (std::size_t p = 0; p < map.places.size(); ++p) {
-    for (std::size_t arm = 0; arm < map.places[p].star.size(); ++arm) {
-      std::vector<PlaceArm> open{{PlaceId(p), arm}};
-      if (result.contains(open.front())) continue;
-      while (!open.empty()) {
-        const PlaceArm at = open.back();
-        open.pop_back();
-        if (!result.insert({at, path}).second) continue;
-        open.push_back({at.place, map.places[at.place.index()].star.opposite(at.arm)});
-        if (const auto over = linked.find(at); over != linked.end()) open.push_back(over->second);
-      }
-      ++path;
-    }
-  }
-  return result;
-}
-
-const char* colour(std::size_t path) { return palette[path % palette.size()]; }
 
 Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
 Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
@@ -80,6 +44,13 @@ class Picture {
     for (const Point& place : drawing.places) include(place);
     for (const auto& arms : drawing.arms) std::for_each(arms.begin(), arms.end(), include);
     for (const auto& line : drawing.segments) std::for_each(line.begin(), line.end(), include);
+  }
+
+  std::string bare_svg(const std::string& title) {
+    top_ = margin;
+    draw_map();
+    return svg_document(2 * margin + pixels_per_unit * (high_.x - low_.x),
+                        2 * margin + pixels_per_unit * (high_.y - low_.y), title, body_);
   }
 
   std::string svg(const std::string& title) {
@@ -117,7 +88,8 @@ class Picture {
   }
 
   static std::string stroke(std::size_t path, const char* more = "") {
-    return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"5\" {}", colour(path), more);
+    return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"5\" {}", path_colour(path),
+                       more);
   }
 
   void draw_map() {
@@ -160,7 +132,7 @@ class Picture {
       add_line(place + disc * along, place + 31 * along, stroke(path, "stroke-dasharray=\"5 3\""));
       for (const double side : {-1.0, 1.0})  // the mouth of a corridor
         add_line(place + 31 * along + (2.5 * side) * aside, place + 38 * along + (8 * side) * aside,
-                 fmt::format("stroke=\"{}\" stroke-width=\"2.5\"", colour(path)));
+                 fmt::format("stroke=\"{}\" stroke-width=\"2.5\"", path_colour(path)));
     } else {
       const Point end = place + 30 * along;
       add_line(place + disc * along, end, stroke(path));
@@ -283,6 +255,11 @@ class Picture {
 std::string map_svg(const TopologicalMap& map, const MapDrawing& drawing,
                     const std::string& title) {
   return Picture(map, drawing).svg(title);
+}
+
+std::string bare_map_svg(const TopologicalMap& map, const MapDrawing& drawing,
+                         const std::string& title) {
+  return Picture(map, drawing).bare_svg(title);
 }
 
 }  // namespace asterism

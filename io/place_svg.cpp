@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <string_view>
 
+#include "io/data_uri.hpp"
 #include "io/grid_file.hpp"
 #include "io/png_image.hpp"
 #include "io/svg.hpp"
@@ -20,22 +19,6 @@ constexpr double kHead_px = 28;     // the title's line
 constexpr std::size_t kAcross = 5;  // pictures in a row of the strip
 constexpr double kWay_px = 720;
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      three = three << 8U | (i + j < bytes.size() ? static_cast<std::uint8_t>(bytes[i + j]) : 0U);
-    }
-    for (std::size_t j = 0; j < 4; ++j) {
-      text += i + j > bytes.size() ? '=' : digits[three >> (18 - 6 * j) & 63U];
-    }
-  }
-  return text;
-}
-
 std::string map_image(const Grid& map, double side_px) {
   PngImage image{static_cast<std::size_t>(map.width), static_cast<std::size_t>(map.height), 1, {}};
   image.bytes.reserve(map.log_odds.size());
@@ -47,8 +30,8 @@ std::string map_image(const Grid& map, double side_px) {
   return fmt::format(
       "<image width=\"{0:.0f}\" height=\"{0:.0f}\" preserveAspectRatio=\"none\" "
       "style=\"image-rendering:pixelated\" "
-      "href=\"data:image/png;base64,{1}\"/>\n",
-      side_px, base64(png(image)));
+      "href=\"{1}\"/>\n",
+      side_px, data_uri("image/png", png(image)));
 }
 
 // From the frame to the picture: the grid fills a square, +y up.
