@@ -71,27 +71,34 @@ class PlacedMap {
   PathOfArm paths_;
 };
 
-void add_gateways(PlanPicture& picture, const PlacedMap& placed, const TopologicalMap& map,
-                  bool has_labels) {
+/// The gateways of all places, with the names of their arms.
+struct NamedGateway {
+  PlanPicture::Gateway gateway;
+  std::string arm;
+};
+
+std::vector<NamedGateway> gateways_of(const PlacedMap& placed, const TopologicalMap& map) {
   std::vector<PlaceArm> travelled;
   for (const auto& [one, other] : map.segments) {
     travelled.push_back(one);
     travelled.push_back(other);
   }
   std::ranges::sort(travelled);
+  std::vector<NamedGateway> result;
   for (std::size_t p = 0; p < placed.size(); ++p) {
     for (std::size_t arm = 0; arm < placed.star(p).size(); ++arm) {
       const PlaceArm own{PlaceId(p), arm};
       const MeasuredGateway* found = placed.gateway(own);
       if (!found) continue;
-      picture.add_gateway({.middle = placed.pose(p) * Point2{found->x_m, found->y_m},
-                           .outward_rad = found->heading_rad + placed.pose(p).heading_rad,
-                           .width_m = found->width_m,
-                           .colour = placed.colour(own),
-                           .label = has_labels ? found->arm : "",
-                           .is_open = !std::ranges::binary_search(travelled, own)});
+      result.push_back({{.middle = placed.pose(p) * Point2{found->x_m, found->y_m},
+                         .outward_rad = found->heading_rad + placed.pose(p).heading_rad,
+                         .width_m = found->width_m,
+                         .colour = placed.colour(own),
+                         .is_open = !std::ranges::binary_search(travelled, own)},
+                        found->arm});
     }
   }
+  return result;
 }
 
 }  // namespace
@@ -115,12 +122,16 @@ std::string layout_svg(const RunReport::Model& model, const Trace& trace, Pictur
                                  "stroke-opacity=\"0.75\"",
                                  placed.colour(segment.first)));
   }
-  add_gateways(picture, placed, model.ranked.map, has_labels);
+  const std::vector<NamedGateway> gateways = gateways_of(placed, model.ranked.map);
+  for (const NamedGateway& each : gateways) picture.add_gateway(each.gateway);
   for (std::size_t p = 0; p < placed.size(); ++p) {
     if (p < layout.covariances.size()) picture.add_ellipse(placed.pose(p), layout.covariances[p]);
   }
   for (std::size_t p = 0; p < placed.size(); ++p) {
     picture.add_place(placed.pose(p).position(), p, placed.directions(p));
+  }
+  if (has_labels) {
+    for (const NamedGateway& each : gateways) picture.add_label_beside(each.gateway, each.arm);
   }
   picture.add_scale_bar();
   return picture.svg(title);
@@ -140,12 +151,21 @@ PlaceMaps::PlaceMaps(const RunReport& report) : report_(report) {
   constexpr double least_m = 4;
   constexpr double most_m = 9;
   half_side_m_ = least_m;
-  for (const Visit& visit : report.trace.visits) {
-    for (const MeasuredGateway& gateway : visit.gateways) {
-      half_side_m_ = std::max(half_side_m_, norm({gateway.x_m, gateway.y_m}) + 2);
+  for (std::size_t k = 0; k < report.trace.visits.size(); ++k) {
+    const Point2 middle = middle_of(k);
+    for (const MeasuredGateway& gateway : report.trace.visits[k].gateways) {
+      half_side_m_ = std::max(half_side_m_, norm(Point2{gateway.x_m, gateway.y_m} - middle) + 2);
     }
   }
   half_side_m_ = std::min(half_side_m_, most_m);
+}
+
+/// Of its gateways, in the visit's frame.
+Point2 PlaceMaps::middle_of(std::size_t visit) const {
+  const std::vector<MeasuredGateway>& gateways = report_.trace.visits[visit].gateways;
+  Point2 sum;
+  for (const MeasuredGateway& gateway : gateways) sum = sum + Point2{gateway.x_m, gateway.y_m};
+  return gateways.empty() ? sum : 1 / static_cast<double>(gateways.size()) * sum;
 }
 
 Pose2 PlaceMaps::page_from_visit(std::size_t visit) const {
@@ -159,15 +179,15 @@ Pose2 PlaceMaps::page_from_visit(std::size_t visit) const {
 }
 
 std::string PlaceMaps::svg(VisitId visit_id) const {
-  constexpr double side_px = 200;
+  constexpr double side_px = 170;
   const std::size_t k = visit_id.index();
   const Visit& visit = report_.trace.visits[k];
   const bool has_map = k < report_.place_maps.size() && report_.place_maps[k];
   if (!has_map && visit.gateways.empty()) return {};
-  Extent shown;
-  shown.include(Point2{}, half_side_m_);
-  PlanPicture picture(shown, side_px, side_px);
   const Pose2 page = page_from_visit(k);
+  Extent shown;
+  shown.include(page * middle_of(k), half_side_m_);
+  PlanPicture picture(shown, side_px, side_px);
   if (has_map) picture.add_grid(*report_.place_maps[k], page);
   const TopologicalMap* map = nullptr;
   PathOfArm paths;
@@ -188,11 +208,12 @@ std::string PlaceMaps::svg(VisitId visit_id) const {
     std::string label = gateway.arm;
     if (arm && arm == visit.entered_by) label += " in";
     if (arm && arm == visit.left_by) label += " out";
-    picture.add_gateway({.middle = page * Point2{gateway.x_m, gateway.y_m},
-                         .outward_rad = gateway.heading_rad + page.heading_rad,
-                         .width_m = gateway.width_m,
-                         .colour = colour,
-                         .label = label});
+    const PlanPicture::Gateway drawn{.middle = page * Point2{gateway.x_m, gateway.y_m},
+                                     .outward_rad = gateway.heading_rad + page.heading_rad,
+                                     .width_m = gateway.width_m,
+                                     .colour = colour};
+    picture.add_gateway(drawn);
+    picture.add_label_ahead(drawn, label);
   }
   return picture.svg(fmt::format("place map of visit {}", k));
 }

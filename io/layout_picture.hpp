@@ -29,6 +29,7 @@ class PlaceMaps {
   std::string svg(VisitId visit) const;
 
  private:
+  Point2 middle_of(std::size_t visit) const;
   Pose2 page_from_visit(std::size_t visit) const;
 
   const RunReport& report_;

@@ -47,6 +47,13 @@ class Picture {
     for (const auto& line : drawing.segments) std::for_each(line.begin(), line.end(), include);
   }
 
+  std::string bare_svg(const std::string& title) {
+    top_ = margin;
+    draw_map();
+    return svg_document(2 * margin + pixels_per_unit * (high_.x - low_.x),
+                        2 * margin + pixels_per_unit * (high_.y - low_.y), title, body_);
+  }
+
   std::string svg(const std::string& title) {
     const double map_width = pixels_per_unit * (high_.x - low_.x);
     const double map_height = pixels_per_unit * (high_.y - low_.y);
@@ -249,6 +256,11 @@ class Picture {
 std::string map_svg(const TopologicalMap& map, const MapDrawing& drawing,
                     const std::string& title) {
   return Picture(map, drawing).svg(title);
+}
+
+std::string bare_map_svg(const TopologicalMap& map, const MapDrawing& drawing,
+                         const std::string& title) {
+  return Picture(map, drawing).bare_svg(title);
 }
 
 }  // namespace asterism

@@ -14,4 +14,8 @@ namespace asterism {
 /// last visit, facing along the arm left by, else opposite to the arm entered by.
 std::string map_svg(const TopologicalMap& map, const MapDrawing& drawing, const std::string& title);
 
+/// The same without title line and legend, for a page that has its own.
+std::string bare_map_svg(const TopologicalMap& map, const MapDrawing& drawing,
+                         const std::string& title);
+
 }  // namespace asterism

@@ -13,7 +13,7 @@
 namespace asterism {
 namespace {
 
-constexpr double disc_px = 12;
+constexpr double disc_px = 11;
 constexpr double foot_px = 24;   ///< for the scale bar
 constexpr double stray = 0.002;  ///< share of a grid's known cells that may lie off at each side
 constexpr double chi_squared_95 = 5.991;  ///< of two degrees of freedom
@@ -188,20 +188,25 @@ void PlanPicture::add_gateway(const Gateway& gateway) {
   body_ += line(
       left, right,
       fmt::format("stroke=\"{}\" stroke-width=\"3\" stroke-linecap=\"round\"", gateway.colour));
+  if (!gateway.is_open) return;
   const Point2 middle = pixel(gateway.middle);
-  const Point2 out_px{out.x_m, -out.y_m};
-  double label_px = 11;
-  if (gateway.is_open) {
-    body_ += line(
-        middle, middle + 15 * out_px,
-        fmt::format("stroke=\"{}\" stroke-width=\"3\" stroke-dasharray=\"4 3\"", gateway.colour));
-    label_px += 13;
-  }
-  if (gateway.label.empty()) return;
-  // Beside the line that leads on, not on it.
-  const Point2 aside = 9.0 * Point2{-out_px.y_m, out_px.x_m};
-  add_text(middle + label_px * out_px + (gateway.is_open ? Point2{} : aside), 11, gateway.colour,
-           gateway.label);
+  body_ += line(
+      middle, middle + 15 * Point2{out.x_m, -out.y_m},
+      fmt::format("stroke=\"{}\" stroke-width=\"3\" stroke-dasharray=\"4 3\"", gateway.colour));
+}
+
+void PlanPicture::add_label_ahead(const Gateway& gateway, const std::string& label) {
+  constexpr double gap_px = 13;
+  const Point2 out = unit_vector(gateway.outward_rad);
+  add_label(pixel(gateway.middle) + gap_px * Point2{out.x_m, -out.y_m}, gateway.colour, label);
+}
+
+void PlanPicture::add_label_beside(const Gateway& gateway, const std::string& label) {
+  constexpr double gap_px = 11;
+  const Point2 left = unit_vector(gateway.outward_rad + std::numbers::pi / 2);
+  add_label(
+      pixel(gateway.middle + (gateway.width_m / 2) * left) + gap_px * Point2{left.x_m, -left.y_m},
+      gateway.colour, label);
 }
 
 void PlanPicture::add_ellipse(const Pose2& page_from_place, const PoseCovariance& covariance) {
@@ -235,11 +240,11 @@ void PlanPicture::add_place(Point2 at, std::size_t number,
   }
   body_ += fmt::format("{} r=\"{}\" fill=\"none\" stroke=\"#1d2530\" stroke-width=\"1.6\"/>\n",
                        circle, disc_px);
-  body_ += fmt::format("{} r=\"{}\" fill=\"#ffffff\"/>\n", circle, disc_px - 3.2);
+  body_ += fmt::format("{} r=\"{}\" fill=\"#ffffff\"/>\n", circle, disc_px - 2.8);
   body_ += fmt::format(
       "<text class=\"place\" x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" font-weight=\"bold\" "
       "text-anchor=\"middle\" fill=\"#1d2530\">{}</text>\n",
-      centre.x_m, centre.y_m + 4, number < 100 ? 12 : 8.5, number);
+      centre.x_m, centre.y_m + 4, number < 100 ? 11.5 : 8.5, number);
 }
 
 void PlanPicture::add_scale_bar() {
@@ -254,13 +259,13 @@ void PlanPicture::add_scale_bar() {
   height_px_ = plan_height_px_ + foot_px;
 }
 
-void PlanPicture::add_text(Point2 at_px, double size_px, const std::string& colour,
-                           const std::string& text) {
+void PlanPicture::add_label(Point2 at_px, const std::string& colour, const std::string& label) {
+  constexpr double size_px = 11;
   body_ += fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" font-weight=\"bold\" "
       "text-anchor=\"middle\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" "
       "paint-order=\"stroke\" stroke-linejoin=\"round\">{}</text>\n",
-      at_px.x_m, at_px.y_m + 0.36 * size_px, size_px, colour, xml_text(text));
+      at_px.x_m, at_px.y_m + 0.36 * size_px, size_px, colour, xml_text(label));
 }
 
 std::string PlanPicture::svg(const std::string& title) const {

@@ -45,10 +45,13 @@ class PlanPicture {
     double outward_rad = 0;
     double width_m = 0;
     std::string colour = {};
-    std::string label = {};  ///< none if empty
-    bool is_open = false;    ///< no segment yet: drawn with a dashed way on
+    bool is_open = false;  ///< no segment yet: drawn with a dashed way on
   };
   void add_gateway(const Gateway& gateway);
+  /// In front of a gateway, in its colour.
+  void add_label_ahead(const Gateway& gateway, const std::string& label);
+  /// At the gateway's left end, where no way leads on.
+  void add_label_beside(const Gateway& gateway, const std::string& label);
 
   /// Where a pose is with a probability of 95 %, its heading aside.
   void add_ellipse(const Pose2& page_from_place, const PoseCovariance& covariance);
@@ -68,7 +71,7 @@ class PlanPicture {
 
  private:
   Point2 pixel(Point2 in_page) const;
-  void add_text(Point2 at_px, double size_px, const std::string& colour, const std::string& text);
+  void add_label(Point2 at_px, const std::string& colour, const std::string& label);
 
   Point2 low_;
   double px_per_m_ = 1;

@@ -169,7 +169,7 @@ std::string visits_section(const RunReport& report) {
   for (std::size_t k = 0; k < report.trace.visits.size(); ++k) {
     pictures.push_back(maps.svg(VisitId(k)));
   }
-  return fmt::format("<section>\n<h2>Visits</h2>\n{}{}</section>\n",
+  return fmt::format("<section class=\"visits\">\n<h2>Visits</h2>\n{}{}</section>\n",
                      folding(counted(pictures.size(), "visit") + ", as perceived",
                              visits_table(report, pictures), pictures.size() <= most_rows_open),
                      place_maps(report, pictures));

@@ -4,6 +4,7 @@
 
 #include "io/data_uri.hpp"
 #include "io/layout_picture.hpp"
+#include "io/path_colours.hpp"
 #include "io/report_sections.hpp"
 #include "io/report_text.hpp"
 #include "io/svg.hpp"
@@ -59,10 +60,6 @@ std::string best_clause(const RunReport& report) {
   return text;
 }
 
-std::string figure(const std::string& name, const std::string& value) {
-  return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
-}
-
 std::string figures(const RankedMap& ranked, const RankedMap& best) {
   const Misfit& misfit = ranked.misfit;
   std::string text = "<dl class=\"figures\">\n";
@@ -72,18 +69,22 @@ std::string figures(const RankedMap& ranked, const RankedMap& best) {
                                                         misfit.degrees_of_freedom));
   text += figure("tail probability", probability_text(misfit.tail_probability));
   text += figure("log-likelihood", decimals(ranked.log_likelihood, 1));
-  text += figure("… against the best",
-                 &ranked == &best ? "–" : decimals(ranked.log_likelihood - best.log_likelihood, 1));
+  if (&ranked != &best) {
+    const double lead = ranked.log_likelihood - best.log_likelihood;
+    text += figure("against rank 1", (lead > 0 ? "+" : "") + decimals(lead, 1));
+  }
   return text + "</dl>\n";
 }
 
-/// The place of each visit: returns are filled, and what differs from the best is framed.
+/// The place of each visit: returns are filled; what differs from the best, in the place or the arm
+/// entered by, is framed.
 std::string visits_row(const TopologicalMap& map, const TopologicalMap& best) {
   std::string text = "<ol class=\"row\" start=\"0\">\n";
   for (std::size_t k = 0; k < map.visits.size(); ++k) {
     const std::size_t place = map.visits[k].index();
     const bool is_return = map.places[place].first_visit.index() != k;
-    const bool differs = k < best.visits.size() && best.visits[k] != map.visits[k];
+    const bool differs = k < best.visits.size() &&
+                         (best.visits[k] != map.visits[k] || best.entered[k] != map.entered[k]);
     text += fmt::format("<li class=\"{}{}\"><i>{}</i>{}</li>\n", is_return ? "back" : "new",
                         differs ? " other" : "", k, place);
   }
@@ -100,19 +101,32 @@ std::string card(const RunReport& report, std::size_t index) {
       index == 0 ? " best" : "", rank, model.ranked.is_plausible ? "good" : "bad",
       model.ranked.is_plausible ? "plausible" : "not plausible");
   text += figures(model.ranked, best);
+  text += visits_row(model.ranked.map, best.map);
   text += fmt::format("<figure>{}</figure>\n",
                       layout_svg(model, report.trace, card_size, false,
                                  fmt::format("layout and map of rank {}", rank)));
-  text += visits_row(model.ranked.map, best.map);
   if (!model.drawing_svg.empty()) {
     // As an image it keeps to itself, whatever it holds.
     text += fmt::format("<figure><img alt=\"topological map of rank {}\" src=\"{}\"/></figure>\n",
                         rank, data_uri("image/svg+xml", model.drawing_svg));
   }
-  return text + "</article>\n";
+  return text + path_list(model.ranked.map) + "</article>\n";
 }
 
 }  // namespace
+
+std::string path_list(const TopologicalMap& map) {
+  std::string text = "<ul class=\"paths\">\n";
+  for (std::size_t i = 0; i < map.paths.size(); ++i) {
+    std::string places;
+    for (const PlaceId place : map.paths[i].places) {
+      places += (places.empty() ? "" : " – ") + std::to_string(place.index());
+    }
+    text += fmt::format("<li><b style=\"background:{}\"></b>path {}: {}{}</li>\n", path_colour(i),
+                        i, places, map.paths[i].ends.empty() ? " – closed" : "");
+  }
+  return text + "</ul>\n";
+}
 
 std::string verdict_sentence(const RunReport& report) {
   return xml_text(counts_clause(report) + "; " + best_clause(report) + ".");
@@ -123,7 +137,9 @@ std::string models_section(const RunReport& report) {
   std::string text =
       "<section>\n<h2>Ranked models</h2>\n<p class=\"note\">Plausible ones first, then those with "
       "fewer paths, then fewer places, then the likelier. Boxes: each visit, small, and its place; "
-      "filled where it came back to a place, framed where it differs from rank 1.</p>\n"
+      "filled where it came back to a place, framed where place or arm differ from rank 1. Last, "
+      "the map without its metres: dashed arms are gateways not yet travelled, a bar ends a path, "
+      "the arrow is the robot.</p>\n"
       "<div class=\"cards\">\n";
   for (std::size_t i = 0; i < report.models.size(); ++i) text += card(report, i);
   return text + "</div>\n</section>\n";

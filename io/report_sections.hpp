@@ -14,6 +14,9 @@ std::string report_style();
 /// One sentence: how many maps explain the trace, which was chosen, how sure.
 std::string verdict_sentence(const RunReport& report);
 
+/// The paths of a map with their colours and their places in order.
+std::string path_list(const TopologicalMap& map);
+
 /// Ranked models side by side.
 std::string models_section(const RunReport& report);
 

@@ -23,11 +23,14 @@ a { color: var(--blue); }
 svg, img { display: block; width: 100%; height: auto; font-family: Helvetica, Arial, sans-serif; }
 figure { margin: 0; min-width: 0; }
 figcaption { color: var(--soft); font-size: .85rem; margin-top: .4rem; }
-dl.figures { display: flex; flex-wrap: wrap; gap: .5rem 1.8rem; margin: 0 0 1.1rem; }
+dl.figures { display: flex; flex-wrap: wrap; gap: .5rem 1.5rem; margin: 0 0 1.1rem; }
 dl.figures div { display: flex; flex-direction: column; }
 dt { color: var(--soft); font-size: .78rem; }
 dd { margin: 0; font-size: 1.05rem; font-weight: 600; font-variant-numeric: tabular-nums; }
 .maps { display: grid; grid-template-columns: 2fr 1fr; gap: 1.8rem; align-items: start; }
+.legend h3 { margin-top: 0; }
+.legend { margin-bottom: 1.4rem; }
+.legend .note { margin-top: .7rem; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 1.8rem; align-items: start; }
 .cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 30rem), 1fr));
   gap: 1.4rem; }
@@ -39,8 +42,8 @@ dd { margin: 0; font-size: 1.05rem; font-weight: 600; font-variant-numeric: tabu
 .good { color: #00694c; }
 .bad { color: #a83200; }
 .card svg { margin: 0 auto; }
-.card img { margin-top: .8rem; max-width: 34rem; }
-.row { display: flex; flex-wrap: wrap; gap: 3px; list-style: none; margin: .9rem 0 0; padding: 0; }
+.card img { width: auto; max-width: 100%; max-height: 21rem; margin: .5rem auto 0; }
+.row { display: flex; flex-wrap: wrap; gap: 3px; list-style: none; margin: 0 0 1rem; padding: 0; }
 .row li { border: 1px solid var(--line); border-radius: 3px; min-width: 1.9rem; padding: 0 .25rem;
   text-align: center; font-weight: 600; line-height: 1.25; font-variant-numeric: tabular-nums; }
 .row i { display: block; font-style: normal; font-weight: 400; font-size: .68rem;
@@ -51,7 +54,7 @@ dd { margin: 0; font-size: 1.05rem; font-weight: 600; font-variant-numeric: tabu
   padding: 0; font-size: .87rem; }
 .paths b { display: inline-block; width: 1.5em; height: .32em; margin-right: .45em;
   vertical-align: .22em; }
-.tiles { display: grid; grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr));
+.tiles { display: grid; grid-template-columns: repeat(auto-fill, minmax(10.5rem, 1fr));
   gap: 1.1rem .9rem; }
 .tiles figcaption { font-size: .78rem; line-height: 1.35; overflow-wrap: anywhere; }
 .tiles b { color: var(--ink); }
@@ -79,16 +82,26 @@ footer { margin-top: 3rem; color: var(--soft); font-size: .8rem; }
   body { padding: 0; max-width: none; font-size: 10pt; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   a { color: inherit; text-decoration: none; }
-  h2, h3, summary { break-after: avoid; page-break-after: avoid; }
-  figure, .card, tr, dl { break-inside: avoid; page-break-inside: avoid; }
+  h1 { font-size: 18pt; }
+  h2 { margin-top: 1.6rem; }
+  h2, h3, summary, .note { break-after: avoid; page-break-after: avoid; }
+  figure, .card, tr, dl, .note, .legend { break-inside: avoid; page-break-inside: avoid; }
   .maps { display: block; }
-  .maps figure + figure { width: 55%; margin-top: 1rem; }
-  .cards { grid-template-columns: 1fr 1fr; gap: .8rem; }
-  .card { padding: .6rem .7rem; }
+  .maps svg { max-height: 165mm; }
+  .maps div { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; margin-top: .5rem; }
+  .maps .legend { display: block; margin: 0; }
+  .maps div svg { max-height: 70mm; }
+  .cards { display: block; }
+  .card { display: grid; grid-template-columns: 1fr 1fr; gap: .4rem 1rem; margin-bottom: .8rem; }
+  .card h3, .card dl, .card ol, .card ul { grid-column: 1 / 3; margin: 0; }
+  .card svg { max-height: 74mm; }
+  .card img { max-height: 70mm; margin-top: 0; }
+  .card dd, .row, .paths { font-size: 8.5pt; }
+  .row li { min-width: 1.5rem; padding: 0 .1rem; }
   .tiles { grid-template-columns: repeat(5, 1fr); }
   .scroll { overflow: visible; }
   table { font-size: 8pt; }
-  details::details-content { content-visibility: visible; height: auto; }
+  .visits details::details-content { content-visibility: visible; height: auto; }
 }
 )css";
 }

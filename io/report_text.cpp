@@ -83,6 +83,10 @@ std::string duration_text(double duration_s) {
   return fmt::format("{} h {} min", count_text(seconds / 3600), seconds / 60 % 60);
 }
 
+std::string figure(const std::string& name, const std::string& value) {
+  return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
+}
+
 std::string table(const std::vector<Column>& columns,
                   const std::vector<std::vector<std::string>>& rows) {
   const auto style = [](const Column& column) { return column.is_number ? " class=\"n\"" : ""; };

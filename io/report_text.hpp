@@ -25,6 +25,9 @@ std::string pose_text(const Pose2& pose);
 /// "22 min 45 s"
 std::string duration_text(double duration_s);
 
+/// An entry of a list of figures (dl.figures).
+std::string figure(const std::string& name, const std::string& value);
+
 struct Column {
   std::string head;
   bool is_number = false;  ///< stands to the right

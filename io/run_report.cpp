@@ -7,7 +7,6 @@
 #include "io/chart_svg.hpp"
 #include "io/data_uri.hpp"
 #include "io/layout_picture.hpp"
-#include "io/path_colours.hpp"
 #include "io/report_sections.hpp"
 #include "io/report_text.hpp"
 #include "io/svg.hpp"
@@ -31,10 +30,6 @@ void require_fit(const RunReport& report) {
                                               ranked.map.visits.size(),
                                               report.trace.visits.size()));
   }
-}
-
-std::string figure(const std::string& name, const std::string& value) {
-  return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
 }
 
 std::string figures(const RunReport& report) {
@@ -69,39 +64,30 @@ std::string header(const RunReport& report) {
   return text;
 }
 
-std::string path_list(const TopologicalMap& map) {
-  std::string text = "<ul class=\"paths\">\n";
-  for (std::size_t i = 0; i < map.paths.size(); ++i) {
-    std::string places;
-    for (const PlaceId place : map.paths[i].places) {
-      places += (places.empty() ? "" : " – ") + std::to_string(place.index());
-    }
-    text += fmt::format("<li><b style=\"background:{}\"></b>path {}: {}{}</li>\n", path_colour(i),
-                        i, places, map.paths[i].ends.empty() ? " – closed" : "");
-  }
-  return text + "</ul>\n";
-}
-
 std::string maps_section(const RunReport& report) {
-  std::string text;
+  std::string map;
+  std::string beside;
   if (!report.models.empty()) {
     const RunReport::Model& best = report.models.front();
-    text += fmt::format(
-        "<figure>{}{}<figcaption>Rank 1. Numbered discs are places, coloured lines their segments, "
-        "bars gateways with the names of their arms; dashed, a gateway not yet travelled. The thin "
-        "line is the robot’s way. Orange ellipses, where larger than the discs, hold a place with "
-        "a probability of 95 %.</figcaption></figure>\n",
-        layout_svg(best, report.trace, main_size, true, "global map with the layout of rank 1"),
+    map = fmt::format("<figure>{}</figure>\n", layout_svg(best, report.trace, main_size, true,
+                                                          "global map with the layout of rank 1"));
+    beside = fmt::format(
+        "<div class=\"legend\">\n<h3>Rank 1</h3>\n{}<p class=\"note\">Numbered discs are places, "
+        "coloured lines the segments of their paths, bars gateways with the names of their arms; "
+        "dashed, a gateway not yet travelled. The thin line is the robot’s way. Orange ellipses, "
+        "where larger than the discs, hold a place with a probability of 95 %.</p></div>\n",
         path_list(best.ranked.map));
   }
   if (report.odometry_map) {
-    text += fmt::format(
-        "<figure>{}<figcaption>The same scans drawn where the wheels say the robot was: raw "
-        "odometry.</figcaption></figure>\n",
+    beside += fmt::format(
+        "<figure>{}<figcaption>Raw odometry: the same scans, drawn where the wheels say the robot "
+        "was.</figcaption></figure>\n",
         grid_svg(*report.odometry_map, beside_size, "map by raw odometry"));
   }
-  if (text.empty()) return text;
-  return "<section>\n<h2>Map</h2>\n<div class=\"maps\">\n" + text + "</div>\n</section>\n";
+  if (map.empty() && beside.empty()) return {};
+  return fmt::format(
+      "<section>\n<h2>Map</h2>\n<div class=\"maps\">\n{}<div>\n{}</div>\n</div>\n</section>\n", map,
+      beside);
 }
 
 std::string chart(const RunReport& report) {

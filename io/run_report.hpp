@@ -32,7 +32,7 @@ struct RunReport {
     RankedMap ranked;                     ///< of the visits explained; a pose for each place
     std::optional<Grid> global_map = {};  ///< in the layout's frame
     Trajectory trajectory = {};
-    std::string drawing_svg = {};  ///< of the topological map: map_svg(), or empty
+    std::string drawing_svg = {};  ///< of the topological map: bare_map_svg(), or empty
   };
 
   std::string log;  ///< its name
@@ -58,6 +58,7 @@ struct RunReport {
 /// any width and for paper. Ranks are counted from 1, as the models' folders are.
 ///
 /// Same report, same bytes.
+/// @pre    all numbers are finite, all grids filled
 /// @throws std::invalid_argument if a model explains more visits than there are, or its layout has
 ///         not one pose a place
 std::string run_report_html(const RunReport& report);

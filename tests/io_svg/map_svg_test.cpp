@@ -39,6 +39,14 @@ TEST_CASE("the picture of a map is well-formed and has every part of it", "[io]"
   CHECK(count_of(svg, "stroke-dasharray") == 2);  // the open gateway, and the legend's
 }
 
+TEST_CASE("a bare picture is the map alone", "[io]") {
+  const TopologicalMap map = square();
+  const std::string svg = bare_map_svg(map, draw(map), "square");
+  CHECK(is_well_formed(svg));
+  CHECK(count_of(svg, "<text") == map.places.size());
+  CHECK(count_of(svg, "stroke-dasharray") == 1);  // the open gateway
+}
+
 TEST_CASE("a title is text, whatever is in it", "[io]") {
   const TopologicalMap map = square();
   const std::string svg = map_svg(map, draw(map), "<b> & \"c\"\x01");
