@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/metric.hpp"
 #include "benchmarks/perception.hpp"
 #include "benchmarks/tables.hpp"
 #include "benchmarks/traces.hpp"
@@ -53,6 +54,7 @@ void add_map_tables(Report& report, const Scale& scale, const Programs& programs
 }
 
 int run(int argc, char** argv) {
+  bool metric = false;
   bool perception = false;
   bool quick = false;
   bool smoke = false;
@@ -62,6 +64,7 @@ int run(int argc, char** argv) {
   app.add_flag("--quick", quick, "without clingo on the largest trace");
   app.add_flag("--smoke", smoke, "the smallest traces alone, once: are the counts right?");
   app.add_flag("--perception", perception, "perception alone, without any count");
+  app.add_flag("--metric", metric, "the metric level alone, without any count");
   app.add_option("--output", output, "Markdown file to write; stdout where not given");
   app.add_option("--asterism", program, "the program to measure")->capture_default_str();
   try {
@@ -76,8 +79,14 @@ int run(int argc, char** argv) {
                               : Scale{};
   const Programs programs(program, ASTERISM_SOURCE_DIR "/benchmarks");
   Report report;
-  if (!perception) add_map_tables(report, scale, programs, smoke);
-  add_perception_table(report, perception_cases(data_folder()), smoke ? 300 : SIZE_MAX);
+  const bool all = !perception && !metric;
+  const std::size_t most_scans = smoke ? 300 : SIZE_MAX;
+  if (all) add_map_tables(report, scale, programs, smoke);
+  if (all || perception) add_perception_table(report, perception_cases(data_folder()), most_scans);
+  if (all || metric) {
+    add_global_map_table(report, perception_cases(data_folder()), most_scans);
+    add_layout_table(report, smoke ? 100 : SIZE_MAX);
+  }
   output.empty() ? fmt::print("{}", report.markdown())
                  : write_atomically(output, report.markdown());
   return report.counts_agree() ? 0 : 1;
