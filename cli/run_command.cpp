@@ -203,7 +203,7 @@ RunReport report_of(const RunCommand& command, const Perceived& perceived,
   for (const DrawnModel& model : models)
     page.models.push_back(
         {model.ranked, model.global_map, model.trajectory,
-         map_svg(model.ranked.map, draw(model.ranked.map), perceived.trace.name)});
+         bare_map_svg(model.ranked.map, draw(model.ranked.map), perceived.trace.name)});
   return page;
 }
 
