@@ -346,9 +346,13 @@ void add_validate(CLI::App& app, std::vector<std::string>& files, std::function<
   asterism validate drive.trace.json drive.maps.json
   asterism validate drive.log.xz
   asterism validate my-axioms
-A *maps.json is a maps file, a *.log or *.clf, maybe with .gz or .xz, a CARMEN log of laser scans; a
-folder holds axioms, anything else is a trace.)");
-  validate.add_option("files", files, "Traces, maps files, logs, folders of axioms")->required();
+  asterism validate out/trajectory.tum out/map.yaml out/layout.g2o
+Of these endings, all but *.maps.json and *.yaml maybe with .gz or .xz: *.maps.json is a maps file,
+*.log and *.clf a CARMEN log of laser scans, *.tum a trajectory, *.gmapping.txt a reference,
+*.relations surveyed relations, *.g2o a pose graph, *.pgm a picture, *.yaml an occupancy map with
+its picture. A folder holds axioms, anything else is a trace.)");
+  validate.add_option("files", files, "Traces, maps, logs and others, folders of axioms")
+      ->required();
   validate.callback([&] { chosen = [&] { return validate_command(files); }; });
 }
 

@@ -11,15 +11,20 @@
 #include "core/error.hpp"
 #include "io/carmen_log.hpp"
 #include "io/maps_file.hpp"
+#include "io/occupancy_map.hpp"
+#include "io/pgm_image.hpp"
+#include "io/pose_graph_file.hpp"
+#include "io/relations_file.hpp"
 #include "io/trace_file.hpp"
+#include "io/trajectory_file.hpp"
 
 namespace asterism {
 namespace {
 
-bool is_log(const std::string& file) {
-  return std::ranges::any_of(std::array{".log", ".clf"}, [&](const std::string& kind) {
-    return file.ends_with(kind) || file.ends_with(kind + ".gz") || file.ends_with(kind + ".xz");
-  });
+/// Whether a file's name ends so, or so and as of a packed file.
+bool is_named(const std::string& file, const std::string& ending) {
+  return std::ranges::any_of(std::array{"", ".gz", ".xz"},
+                             [&](const char* packed) { return file.ends_with(ending + packed); });
 }
 
 /// Reads a log whole; tells what a drive it is.
@@ -41,13 +46,48 @@ std::string log_text(const std::string& file) {
                      last_s - first_s, length_m);
 }
 
+std::string trajectory_text(const Trajectory& trajectory, const char* kind) {
+  double length_m = 0;
+  for (std::size_t i = 1; i < trajectory.size(); ++i)
+    length_m += norm(trajectory[i].layout_from_robot.position() -
+                     trajectory[i - 1].layout_from_robot.position());
+  return fmt::format("{}: {} poses, {:.1f} m", kind, trajectory.size(), length_m);
+}
+
+std::string pose_graph_text(const PoseGraph& graph) {
+  return fmt::format("pose graph: {} places, {} displacements, {} fixed",
+                     graph.layout_from_place.size(), graph.displacements.size(),
+                     graph.fixed.size());
+}
+
+std::string picture_text(const PgmImage& image) {
+  return fmt::format("picture: {} x {} pixels", image.width, image.height);
+}
+
+std::string occupancy_map_text(const Grid& grid) {
+  return fmt::format("occupancy map: {} x {} cells of {} m", grid.width, grid.height,
+                     grid.resolution_m);
+}
+
+std::string maps_text(const MapReport& report) {
+  const std::string ranked =
+      report.ranked.empty() ? "" : fmt::format(", {} ranked", report.ranked.size());
+  return fmt::format("maps of {}: {} listed{}", printable(report.trace), report.maps.size(),
+                     ranked);
+}
+
 /// Reads a file of whatever kind its name says; tells what it is.
 std::string validated(const std::string& file) {
-  if (file.ends_with("maps.json")) {
-    const MapReport report = read_maps_file(file);
-    return fmt::format("maps of {}: {} listed", printable(report.trace), report.maps.size());
-  }
-  if (is_log(file)) return log_text(file);
+  if (file.ends_with("maps.json")) return maps_text(read_maps_file(file));
+  if (is_named(file, ".log") || is_named(file, ".clf")) return log_text(file);
+  if (is_named(file, ".tum")) return trajectory_text(read_trajectory_file(file), "trajectory");
+  if (is_named(file, ".gmapping.txt"))
+    return trajectory_text(read_reference_file(file), "reference");
+  if (is_named(file, ".relations"))
+    return fmt::format("relations: {}", read_relations_file(file).size());
+  if (is_named(file, ".g2o")) return pose_graph_text(read_pose_graph_file(file));
+  if (is_named(file, ".pgm")) return picture_text(read_pgm_file(file));
+  if (file.ends_with(".yaml")) return occupancy_map_text(read_occupancy_map_file(file));
   if (std::filesystem::is_directory(file)) {
     const AxiomSet axioms = AxiomSet::read(file);
     return fmt::format("a folder of {} axioms", axioms.axioms().size());

@@ -145,6 +145,47 @@ class BadInput(Folder):
                       self.refused(65, t, "--relations", relations))
 
 
+class Validate(Folder):
+    def test_each_kind_by_its_ending(self):
+        corpus = SOURCE / "tests/corpus"
+        for name, text in (("tum/good/two.tum", "trajectory: 2 poses, 2.7 m"),
+                           ("tum/good/packed.tum.xz", "trajectory: 2 poses, 2.7 m"),
+                           ("relations/good/packed.relations.xz", "relations: 1"),
+                           ("g2o/good/two.g2o", "pose graph: 2 places, 1 displacements, 1 fixed"),
+                           ("pgm/good/packed.pgm.gz", "picture: 3 x 2 pixels"),
+                           ("maps/good/ranked.maps.json", "maps of square: 1 listed, 2 ranked")):
+            done = run("validate", corpus / name)
+            self.assertEqual((done.returncode, done.stdout), (0, f"{corpus / name}: valid, {text}\n"))
+
+    def test_an_occupancy_map_is_its_yaml_and_its_picture(self):
+        corpus = SOURCE / "tests/corpus"
+        yaml = self.file("map.yaml", (corpus / "yaml/good/map_server.yaml").read_text())
+        done = run("validate", yaml)
+        self.assertEqual(done.returncode, 65)
+        self.assertIn("map.pgm: found no such file or directory", done.stderr)
+        (self.folder / "map.pgm").write_bytes((corpus / "pgm/good/bytes.pgm").read_bytes())
+        self.assertIn("valid, occupancy map: 3 x 2 cells of 0.05 m", run("validate", yaml).stdout)
+
+    def test_the_bad_files_of_the_corpus(self):
+        for kind in ("tum", "relations", "g2o", "pgm", "yaml"):
+            folder = SOURCE / "tests/corpus" / kind
+            rows = (folder / "bad.tsv").read_text().splitlines()[1:]
+            expected = [f"{folder / 'bad' / name}{message}" for name, message in
+                        (row.split("\t") for row in rows)]
+            done = run("validate", *(folder / "bad" / row.split("\t")[0] for row in rows))
+            self.assertEqual((done.returncode, done.stdout), (65, ""))
+            self.assertEqual(done.stderr.splitlines(), expected)
+
+    @unittest.skipUnless((DATA / "aces").exists(), "the data are not here")
+    def test_files_of_others(self):
+        done = run("validate", DATA / "aces/aces.gmapping.txt.xz", DATA / "intel/intel.relations.xz",
+                   DATA / "grids/aces.pgm.xz")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for text in ("valid, reference: 440 poses", "valid, relations: 2984",
+                     "valid, picture: 1174 x 1154 pixels"):
+            self.assertIn(text, done.stdout)
+
+
 class Help(unittest.TestCase):
     def test_it_has_examples(self):
         done = run("evaluate", "--help")

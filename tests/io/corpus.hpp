@@ -12,8 +12,8 @@ struct BadFile {
   std::string message;
 };
 
-/// The bad files of one kind, which is a folder of tests/corpus, as listed in bad.tsv (the file first,
-/// the message last); which must list them all.
+/// The bad files of one kind, which is a folder of tests/corpus, as listed in bad.tsv (the file
+/// first, the message last); which must list them all.
 std::vector<BadFile> bad_files(const std::string& kind);
 
 /// The good files of one kind. To traces belong those of tests/traces.

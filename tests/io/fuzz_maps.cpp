@@ -1,12 +1,8 @@
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <sstream>
-#include <string_view>
 
-#include "core/error.hpp"
 #include "io/maps_file.hpp"
 #include "tests/io/same.hpp"
+#include "tests/support/fuzz.hpp"
 
 namespace {
 
@@ -16,27 +12,16 @@ std::string text_of(const asterism::MapReport& report) {
   return out.str();
 }
 
-/// Any text is a report or refused; a report is written, and read back, as it is.
-void check(std::string_view text) {
-  using namespace asterism;
-  MapReport report;
-  try {
-    report = read_maps(text, "input");
-  } catch (const InputError& error) {
-    const std::string_view message = error.what();
-    if (message.find('\n') != std::string_view::npos) std::abort();
-    if (message.find(": found ") == std::string_view::npos) std::abort();
-    if (message.find("; expected ") == std::string_view::npos) std::abort();
-    return;
-  }
-  const std::string written = text_of(report);
-  const MapReport again = read_maps(written, "written");
-  if (!same(again, report) || text_of(again) != written) std::abort();
-}
-
 }  // namespace
 
+/// Any text is a report or refused; a report is written, and read back, as it is.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  check({reinterpret_cast<const char*>(data), size});
+  using namespace asterism;
+  const std::string text = fuzz_input(data, size);
+  const auto report = accepted("input", [&] { return read_maps(text, "input"); });
+  if (!report) return 0;
+  const std::string written = text_of(*report);
+  const MapReport again = read_maps(written, "written");
+  require(same(again, *report) && text_of(again) == written);
   return 0;
 }
