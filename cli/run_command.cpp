@@ -142,7 +142,15 @@ std::vector<RankedMap> rank(const RunCommand& command, const Perceived& perceive
     });
     if (ranking.is_settled() || command.only_minimal) break;
   }
-  return ranking.best();
+  std::vector<RankedMap> result = ranking.best();
+  // The minimal models stand beside the best, however ill they fit.
+  for (RankedMap& minimal : ranking.most_preferred()) {
+    const auto is_same = [&](const RankedMap& other) {
+      return arrivals(other.map) == arrivals(minimal.map);
+    };
+    if (std::ranges::none_of(result, is_same)) result.push_back(std::move(minimal));
+  }
+  return result;
 }
 
 /// Where each visit was, by the layout: [x_{i,0}]_{m*} = χ ⊕ L_i. Visits that the map does not

@@ -243,6 +243,18 @@ std::vector<RankedMap> Ranking::best() {
   return result;
 }
 
+std::vector<RankedMap> Ranking::most_preferred() {
+  std::vector<RankedMap> result;
+  if (classes_.empty()) return result;
+  for (const bool plausible : {true, false}) {
+    std::vector<Search::Found> found;
+    search_->search(classes_.front(), plausible, options_.models - result.size(), found);
+    for (const Search::Found& hypothesis : found) result.push_back(search_->ranked(hypothesis));
+    if (result.size() == options_.models) break;
+  }
+  return result;
+}
+
 std::size_t Ranking::layouts() const { return search_->layouts(); }
 
 }  // namespace asterism

@@ -48,6 +48,8 @@ class Ranking {
 
   /// The best, in order. Lays out implausible ones only where plausible ones are too few.
   std::vector<RankedMap> best();
+  /// The best of the first preference alone, plausible or not.
+  std::vector<RankedMap> most_preferred();
 
   /// How often a layout was solved for.
   std::size_t layouts() const;
