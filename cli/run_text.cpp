@@ -65,8 +65,9 @@ RunReport::Decision by_likelihood(const RunReport& report) {
   std::uint64_t implausible = 0;
   for (const RunReport::Model& model : report.models) implausible += !model.ranked.is_plausible;
   RunReport::Decision result{"likelihood", "", implausible};
-  result.how = fmt::format("of {} ranked, {} would be laid out as measured only by a rare chance",
-                           counted(report.models.size(), "map"), count_text(implausible));
+  result.how =
+      fmt::format("layout or alignments of {} of the {} ranked are off by more than chance allows",
+                  implausible, report.models.size());
   const RankedMap& best = report.models.front().ranked;
   for (std::size_t i = 1; i < report.models.size(); ++i) {
     const RankedMap& next = report.models[i].ranked;
