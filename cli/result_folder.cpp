@@ -26,7 +26,8 @@ void remove_results(const fs::path& folder) {
   std::error_code error;  // what is not there, or not empty, stays
   for (const char* name : {"log.trace.json", "maps.json", "report.html"})
     fs::remove(folder / name, error);
-  remove_from(folder / "log.lpm", "visit-{}.json", 0);
+  for (const char* pattern : {"visit-{}.json", "visit-{}.png"})
+    remove_from(folder / "log.lpm", pattern, 0);
   fs::remove(folder / "log.lpm", error);
   remove_model(folder);
   for (std::size_t rank = 2;; ++rank) {

@@ -11,7 +11,7 @@ PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 
 def run(*arguments, stdin=None):
     return subprocess.run(
-        [PROGRAM, *map(str, arguments)], capture_output=True, text=True, input=stdin, timeout=300
+        [PROGRAM, *map(str, arguments)], capture_output=True, text=True, input=stdin, timeout=600
     )
 
 
