@@ -127,7 +127,7 @@ Explained explain(const RunCommand& command, const Trace& trace) {
   result.trace.visits.erase(result.trace.visits.begin() + static_cast<std::ptrdiff_t>(explained),
                             result.trace.visits.end());
   if (explained < counts.size()) result.tree = tree_of(maps, axioms, result.trace);
-  result.report.explained_visits = explained;
+  if (explained > 0) result.report.explained_visits = explained;
   if (stopped_by) result.why = fmt::format("growing the tree was stopped: {}", *stopped_by);
   return result;
 }
@@ -213,8 +213,8 @@ RunReport report_of(const RunCommand& command, const Perceived& perceived,
   page.planar_per_visit = page.planar ? own : explained.other_per_visit;
   page.consistent = explained.report.consistent;
   page.minimal = explained.report.minimal;
-  if (explained.report.explained_visits)
-    page.unexplained = {{*explained.report.explained_visits, explained.why}};
+  if (explained.trace.visits.size() < perceived.trace.visits.size())
+    page.unexplained = {{explained.trace.visits.size(), explained.why}};
   for (const DrawnModel& model : models)
     page.models.push_back(
         {model.ranked, model.global_map, model.trajectory,

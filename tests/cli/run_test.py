@@ -4,12 +4,13 @@ import json
 import pathlib
 import re
 import struct
+import subprocess
 import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 
-from program import Folder, run
+from program import PROGRAM, SOURCE, Folder, run, shown_in_readme
 
 OF_A_MODEL = {"trajectory.tum", "map.pgm", "map.yaml", "map.png", "layout.g2o", "map.graphml",
               "map.dot", "routes.geojson"}  # fmt: skip
@@ -227,6 +228,21 @@ class NoMap(Folder):
         done = run("run", log, "-o", out, "--json")
         self.assertEqual(json.loads(done.stdout)["explained_visits"], explained)
         self.assertIn(f"visit {explained} came by", json.loads(done.stdout)["why"])
+
+
+class Readme(Folder):
+    def test_what_it_shows_is_what_comes_out(self):
+        shown = shown_in_readme("simulate", "run", "evaluate")
+        self.assertGreaterEqual(len(shown), 3)
+        for command, output in shown:
+            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True,
+                                  cwd=self.folder, timeout=600)
+            self.assertEqual((done.returncode, done.stdout.rstrip()), (0, output), command)
+
+    def test_it_names_the_files_of_a_run(self):
+        text = (SOURCE / "README.md").read_text()
+        for name in OF_A_RUN | OF_A_MODEL:
+            self.assertIn(f"`{name}`", text)
 
 
 class Usage(Folder):
