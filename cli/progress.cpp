@@ -65,4 +65,11 @@ void Progress::show(const std::string& line) {
   std::fflush(stderr);
 }
 
+void StageTimes::operator()(const std::string& stage) {
+  const auto now = std::chrono::steady_clock::now();
+  fmt::print(stderr, "{}: {:.1f} s\n", stage, std::chrono::duration<double>(now - begin_).count());
+  std::fflush(stderr);
+  begin_ = now;
+}
+
 }  // namespace asterism

@@ -36,4 +36,13 @@ class Progress {
   std::optional<std::string> stopped_by_;
 };
 
+/// Tells on stderr how long each stage of a run took, once it is over.
+class StageTimes {
+ public:
+  void operator()(const std::string& stage);
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace asterism

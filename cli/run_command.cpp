@@ -1,18 +1,18 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <numeric>
 
 #include "cli/grow.hpp"
 #include "cli/map_parts.hpp"
 #include "cli/map_text.hpp"
 #include "cli/options.hpp"
 #include "cli/perceive_parts.hpp"
+#include "cli/result_folder.hpp"
 #include "cli/run_files.hpp"
+#include "cli/run_text.hpp"
 #include "core/error.hpp"
 #include "engine/explain.hpp"
 #include "io/atomic_file.hpp"
@@ -128,7 +128,7 @@ Explained explain(const RunCommand& command, const Trace& trace) {
   result.trace.visits.erase(result.trace.visits.begin() + static_cast<std::ptrdiff_t>(explained),
                             result.trace.visits.end());
   if (explained < counts.size()) result.tree = tree_of(maps, axioms, result.trace);
-  result.report.explained_visits = explained;
+  if (explained > 0) result.report.explained_visits = explained;
   if (stopped_by) result.why = fmt::format("growing the tree was stopped: {}", *stopped_by);
   return result;
 }
@@ -191,6 +191,13 @@ Grid odometry_map(const RunCommand& command, const std::vector<Scan>& scans) {
   return global_map(scans, wheels, {.resolution_m = command.resolution_m});
 }
 
+/// What growing the tree found; the minimal models themselves are for the ranking to show.
+std::string counts_text(MapReport report, std::size_t visits) {
+  report.maps.clear();
+  const std::string text = report_text(report, visits, 0);
+  return text.substr(text.find('\n') + 1);  // its first line is told before
+}
+
 RunReport report_of(const RunCommand& command, const Perceived& perceived,
                     const Explained& explained, const std::vector<DrawnModel>& models) {
   RunReport page;
@@ -209,73 +216,48 @@ RunReport report_of(const RunCommand& command, const Perceived& perceived,
   page.planar_per_visit = page.planar ? own : explained.other_per_visit;
   page.consistent = explained.report.consistent;
   page.minimal = explained.report.minimal;
-  if (explained.report.explained_visits)
-    page.unexplained = {{*explained.report.explained_visits, explained.why}};
+  if (explained.trace.visits.size() < perceived.trace.visits.size())
+    page.unexplained = {{explained.trace.visits.size(), explained.why}};
   for (const DrawnModel& model : models)
     page.models.push_back(
         {model.ranked, model.global_map, model.trajectory,
          bare_map_svg(model.ranked.map, draw(model.ranked.map), perceived.trace.name)});
+  page.decided = decisions(page, explained.tree.minimal().size());
   return page;
-}
-
-std::string model_text(std::size_t rank, const DrawnModel& model) {
-  const RankedMap& ranked = model.ranked;
-  std::string text = fmt::format(
-      "model {}: {}, {} paths, {} places, chi-squared {:.1f} of {} degrees of freedom (tail "
-      "{:.2g}), "
-      "log-likelihood {:.1f}\n  visits at places",
-      rank, ranked.is_plausible ? "plausible" : "implausible", ranked.map.paths.size(),
-      ranked.map.places.size(), ranked.misfit.chi_squared, ranked.misfit.degrees_of_freedom,
-      ranked.misfit.tail_probability, ranked.log_likelihood);
-  for (const PlaceId place : ranked.map.visits) text += fmt::format(" {}", place.index());
-  return text + '\n';
-}
-
-std::string summary_json(const Perceived& perceived, const Explained& explained,
-                         const std::vector<DrawnModel>& models) {
-  const MapReport& report = explained.report;
-  std::string text = fmt::format(
-      "{{\n  \"scans\": {}, \"visits\": {}, \"explained_visits\": {}, \"consistent\": {},\n"
-      "  \"models\": [",
-      perceived.scans.size(), perceived.trace.visits.size(), explained.trace.visits.size(),
-      report.consistent ? fmt::format("{}", *report.consistent) : "null");
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const RankedMap& ranked = models[i].ranked;
-    std::string visits;
-    for (const PlaceId place : ranked.map.visits)
-      visits += fmt::format("{}{}", visits.empty() ? "" : ", ", place.index());
-    text += fmt::format(
-        "{}\n    {{ \"plausible\": {}, \"paths\": {}, \"places\": {}, \"chi_squared\": {}, "
-        "\"degrees_of_freedom\": {}, \"tail_probability\": {}, \"log_likelihood\": {},\n"
-        "      \"visits\": [{}] }}",
-        i == 0 ? "" : ",", ranked.is_plausible, ranked.map.paths.size(), ranked.map.places.size(),
-        ranked.misfit.chi_squared, ranked.misfit.degrees_of_freedom, ranked.misfit.tail_probability,
-        ranked.log_likelihood, visits);
-  }
-  return text + "\n  ]\n}\n";
 }
 
 }  // namespace
 
-int run_command(const RunCommand& command) {
-  const fs::path folder(command.folder);
-  make_folder(folder);
-  const auto tell = [&](const std::string& stage) {
-    if (!command.json) fmt::print("{}\n", stage);
+int run_command(const RunCommand& asked) {
+  ResultFolder results(asked.folder);
+  const fs::path& folder = results.unfinished();
+  RunCommand command = asked;
+  command.folder = folder.string();
+  const auto tell = [&](const std::string& found) {
+    if (!command.json) fmt::print("{}", found);
     std::fflush(stdout);
   };
+  StageTimes stage_is_over;
+
   const Perceived perceived = perceive(command);
+  stage_is_over("perceive");
   const std::size_t visits = perceived.trace.visits.size();
-  tell(
-      fmt::format("{}: {} scans, {} visits", perceived.trace.name, perceived.scans.size(), visits));
+  tell(fmt::format("{}: {} scans, {} visits\n", printable(perceived.trace.name),
+                   perceived.scans.size(), visits));
 
   Explained explained = explain(command, perceived.trace);
-  tell(report_text(explained.report, visits, 0));
+  stage_is_over("grow");
+  tell(counts_text(explained.report, visits));
+
   explained.report.ranked = rank(command, perceived, explained);
+  stage_is_over("rank");
   if (explained.report.explained_visits && explained.why.empty())
     explained.why =
         why_not(perceived.trace, explained.report.ranked.front().map, command.maps.planar);
-  if (!explained.why.empty()) tell(explained.why);
+  if (explained.report.explained_visits && explained.report.complete) tell(explained.why + '\n');
+  if (explained.report.explained_visits && !explained.report.ranked.empty())
+    tell(fmt::format("ranked: maps of the visits up to {}; later ones are drawn as measured\n",
+                     *explained.report.explained_visits - 1));
   write_maps_file((folder / "maps.json").string(), explained.report);
 
   Refinement refinement(perceived.scans, perceived.poses);
@@ -285,14 +267,17 @@ int run_command(const RunCommand& command) {
         draw_model(command, perceived, ranked, models.empty() ? &refinement : nullptr));
     const std::size_t rank = models.size();
     write_model(rank == 1 ? folder : folder / fmt::format("model-{}", rank), models.back());
-    tell(model_text(rank, models.back()));
   }
-  write_atomically((folder / "report.html").string(),
-                   run_report_html(report_of(command, perceived, explained, models)));
+  const RunReport page = report_of(command, perceived, explained, models);
+  write_atomically((folder / "report.html").string(), run_report_html(page));
+  results.finish();
+  stage_is_over("draw");
+
+  tell(ranking_text(page));
   if (command.json)
-    fmt::print("{}", summary_json(perceived, explained, models));
+    fmt::print("{}", summary_json(page, explained.report.complete));
   else
-    fmt::print("results are in {}: look at report.html first\n", command.folder);
+    fmt::print("results are in {}: look at report.html first\n", asked.folder);
   if (!explained.report.complete) return exit_undecided;
   return explained.report.explained_visits ? exit_inconsistent : exit_consistent;
 }

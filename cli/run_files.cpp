@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <system_error>
 
 #include "cli/map_parts.hpp"
 #include "io/atomic_file.hpp"
@@ -47,6 +48,14 @@ void write_model(const std::filesystem::path& folder, const DrawnModel& model) {
   if (!ranked.map.segments.empty())
     write_atomically(file("routes.geojson"),
                      route_graph_geojson(ranked.map, ranked.layout.layout_from_place));
+}
+
+void remove_model(const std::filesystem::path& folder) {
+  for (const char* name : {"trajectory.tum", "map.pgm", "map.yaml", "map.png", "layout.g2o",
+                           "map.graphml", "map.dot", "routes.geojson"}) {
+    std::error_code error;
+    std::filesystem::remove(folder / name, error);
+  }
 }
 
 }  // namespace asterism

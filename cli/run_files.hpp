@@ -20,4 +20,7 @@ struct DrawnModel {
 /// there is a segment, routes.geojson.  @throws Error if it cannot
 void write_model(const std::filesystem::path& folder, const DrawnModel& model);
 
+/// Removes these files, as far as they are there.
+void remove_model(const std::filesystem::path& folder);
+
 }  // namespace asterism

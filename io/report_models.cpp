@@ -30,6 +30,11 @@ bool are_of_one_size(const TopologicalMap& a, const TopologicalMap& b) {
 std::string counts_clause(const RunReport& report) {
   const std::string visits = counted(report.trace.visits.size(), "visit");
   const std::string kind = report.planar ? "planar " : "";
+  if (report.unexplained && !report.consistent) {
+    return fmt::format("The maps of the first {} of {} are known{}",
+                       count_text(report.unexplained->visits), visits,
+                       report.unexplained->why.empty() ? "" : "; " + report.unexplained->why);
+  }
   if (report.unexplained) {
     return fmt::format("No {}map explains all {}: the first {} can be explained, the next cannot{}",
                        kind, visits, count_text(report.unexplained->visits),

@@ -10,7 +10,7 @@ import time
 import unittest
 import xml.etree.ElementTree as xml
 
-from program import PROGRAM, SOURCE, Folder, run
+from program import PROGRAM, SOURCE, Folder, run, shown_in_readme
 
 TRACES = SOURCE / "tests/traces"
 EXPECTED = json.loads((TRACES / "expected.json").read_text())
@@ -351,15 +351,12 @@ class BadInput(Folder):
 
 class Readme(Folder):
     def test_what_it_shows_is_what_comes_out(self):
-        text = (SOURCE / "README.md").read_text()
-        shown = re.findall(r"(?m)^    \$ asterism (.*)\n((?:    .*\n|\n(?=    ))*)", text)
+        shown = shown_in_readme("map", "axioms", "validate")
         self.assertGreaterEqual(len(shown), 2)
         for command, output in shown:
-            done = subprocess.run([PROGRAM, *command.split()], capture_output=True, text=True,
-                                  cwd=SOURCE, timeout=300)
-            want = "".join(line[4:] if line.strip() else "\n"
-                           for line in output.splitlines(keepends=True))
-            self.assertEqual(done.stdout.rstrip(), want.rstrip(), command)
+            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
+                                  timeout=300)
+            self.assertEqual(done.stdout.rstrip(), output, command)
 
     def test_its_pictures_are_what_comes_out(self):
         run("map", SOURCE / "examples/aces-stubs.trace.json", "--planar", "--svg", self.folder)

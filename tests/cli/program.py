@@ -1,6 +1,7 @@
 """What the tests of the program share: TEST.py PROGRAM SOURCE_FOLDER [unittest options]."""
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -11,8 +12,19 @@ PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 
 def run(*arguments, stdin=None):
     return subprocess.run(
-        [PROGRAM, *map(str, arguments)], capture_output=True, text=True, input=stdin, timeout=300
+        [PROGRAM, *map(str, arguments)], capture_output=True, text=True, input=stdin, timeout=600
     )
+
+
+def shown_in_readme(*subcommands):
+    """The commands of these kinds that the README shows, each with what it prints."""
+    text = (SOURCE / "README.md").read_text()
+    shown = re.findall(r"(?m)^    \$ asterism (.*)\n((?:    (?!\$).*\n|\n(?=    (?!\$)))*)", text)
+    return [
+        (command.split(), re.sub(r"(?m)^    ", "", output).rstrip())
+        for command, output in shown
+        if command.split()[0] in subcommands
+    ]
 
 
 def view(star, first):

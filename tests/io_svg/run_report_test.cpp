@@ -169,6 +169,12 @@ TEST_CASE("a report shows what there is", "[io]") {
               "the first 1 can be explained, the next cannot, no place has its star"));
     CHECK(has(run_report_html(report), "class=\"warning\""));
   }
+  SECTION("a limit ended the run") {
+    report.consistent.reset();
+    report.unexplained = {1, "limit of 9 hypotheses"};
+    CHECK(has(run_report_html(report), "The maps of the first 1 of"));
+    CHECK(has(run_report_html(report), "visits are known; limit of 9 hypotheses"));
+  }
   SECTION("one visit, nothing else") {
     report = {.log = "one", .trace = {}};
     report.trace.visits = {{.star = Star::parse("a+1 a-0")}};
