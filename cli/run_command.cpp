@@ -23,6 +23,7 @@
 #include "metric/alignment.hpp"
 #include "metric/global_map.hpp"
 #include "metric/ranking.hpp"
+#include "metric/refinement.hpp"
 #include "metric/trajectory.hpp"
 #include "planarity/plane_drawing.hpp"
 
@@ -173,9 +174,11 @@ std::vector<Anchor> anchors(const Trace& trace, const RankedMap& ranked) {
   return result;
 }
 
-DrawnModel draw_model(const RunCommand& command, const Perceived& perceived, RankedMap ranked) {
+DrawnModel draw_model(const RunCommand& command, const Perceived& perceived, RankedMap ranked,
+                      Refinement* refinement) {
   DrawnModel model{std::move(ranked)};
   model.trajectory = fit_trajectory(perceived.poses, anchors(perceived.trace, model.ranked));
+  if (refinement != nullptr) model.trajectory = (*refinement)(model.trajectory);
   model.global_map =
       global_map(perceived.scans, model.trajectory, {.resolution_m = command.resolution_m});
   return model;
@@ -257,9 +260,11 @@ int run_command(const RunCommand& asked) {
                      *explained.report.explained_visits - 1));
   write_maps_file((folder / "maps.json").string(), explained.report);
 
+  Refinement refinement(perceived.scans, perceived.poses);
   std::vector<DrawnModel> models;
   for (const RankedMap& ranked : explained.report.ranked) {
-    models.push_back(draw_model(command, perceived, ranked));
+    models.push_back(
+        draw_model(command, perceived, ranked, models.empty() ? &refinement : nullptr));
     const std::size_t rank = models.size();
     write_model(rank == 1 ? folder : folder / fmt::format("model-{}", rank), models.back());
   }

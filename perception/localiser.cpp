@@ -65,9 +65,12 @@ Localiser::Step Localiser::step_to(const Pose2& odom_from_robot) {
   const Pose2 motion = inverse(*odom_from_last_) * odom_from_robot;
   odom_from_last_ = odom_from_robot;
   const double driven_m = norm(motion.position());
-  return {motion, options_.least_noise_m + options_.noise_per_m * driven_m,
+  const double turned_rad = std::abs(motion.heading_rad);
+  return {motion,
+          options_.least_noise_m + options_.noise_per_m * driven_m +
+              options_.noise_m_per_rad * turned_rad,
           options_.least_heading_noise_rad + options_.heading_noise_per_m_rad * driven_m +
-              options_.heading_noise_per_rad * std::abs(motion.heading_rad)};
+              options_.heading_noise_per_rad * turned_rad};
 }
 
 ScanFit::Fit Localiser::locate(const Step& step) {

@@ -21,6 +21,7 @@ struct LocaliserOptions {
 
   // Odometry: standard deviations of one step.
   double noise_per_m = 0.10;              ///< of position, a metre driven
+  double noise_m_per_rad = 0.05;          ///< ... a radian turned: the laser stands off the axle
   double heading_noise_per_m_rad = 0.05;  ///< of heading, a metre driven
   double heading_noise_per_rad = 0.15;    ///< of heading, a radian turned
   double least_noise_m = 0.005;
