@@ -267,7 +267,7 @@ void add_run(CLI::App& app, RunCommand& command, std::function<int()>& chosen) {
 Perceives the trace, grows every map that explains it, ranks them by preference and layout, and
 draws the best: DIR/report.html shows it all; DIR/log.trace.json, maps.json; of the best model
 trajectory.tum, map.pgm, map.yaml, map.png, layout.g2o, map.graphml, map.dot, routes.geojson, of the
-others the same in model-2, model-3 ...
+others the same in model-2, model-3 ... What an earlier run left there is replaced.
 Exit code: 0 a map explains the trace, 1 none does and the best of the longest part that one explains
 is drawn, 2 a limit ended the run, 64 usage, 65 bad input or no place in it, 70 internal fault or a
 result that cannot be written.)");
@@ -300,8 +300,10 @@ result that cannot be written.)");
       ->type_name("N")
       ->check(whole_number)
       ->capture_default_str();
-  run.add_option("--time-limit", command.maps.time_limit_s, "Stop growing maps after so long")
-      ->type_name("S");
+  run.add_option("--time-limit", command.maps.time_limit_s,
+                 "Stop growing maps after this many seconds")
+      ->type_name("S")
+      ->check(seconds);
   run.add_flag("--json", command.json, "Print a summary as JSON");
   run.callback([&] { chosen = [&] { return run_command(command); }; });
 }

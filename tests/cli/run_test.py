@@ -250,7 +250,8 @@ class Usage(Folder):
         log = self.file("a.log", "")
         for options in ([], [log], ["-o", self.folder], [log, "-o"], [log, "-o", "x", "--models", 0],
                         [log, "-o", "x", "--rank", "best"], [log, "-o", "x", "--resolution", "0"],
-                        [log, "-o", "x", "--min-gateway-width-m", "-1"], [log, "-o", "x", "--all"]):
+                        [log, "-o", "x", "--min-gateway-width-m", "-1"], [log, "-o", "x", "--all"],
+                        [log, "-o", "x", "--time-limit", "nan"]):
             with self.subTest(options=options):
                 done = run("run", *options)
                 self.assertEqual((done.returncode, done.stdout), (64, ""))
