@@ -1,6 +1,7 @@
 #include "metric/layout.hpp"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <algorithm>
 #include <array>
@@ -116,6 +117,18 @@ ceres::Solver::Options solver_options(std::size_t places) {
   return options;
 }
 
+// Ceres logs a step that fails, and who has not set up a log finds that on the standard error.
+class WithoutLog {
+ public:
+  WithoutLog() { FLAGS_minloglevel = google::GLOG_FATAL; }
+  ~WithoutLog() { FLAGS_minloglevel = before_; }
+  WithoutLog(const WithoutLog&) = delete;
+  WithoutLog& operator=(const WithoutLog&) = delete;
+
+ private:
+  int before_ = FLAGS_minloglevel;
+};
+
 }  // namespace
 
 Layout lay_out(std::size_t places, std::span<const PlaceDisplacement> displacements,
@@ -141,9 +154,11 @@ Layout lay_out(std::size_t places, std::span<const PlaceDisplacement> displaceme
   if (!displacements.empty()) {
     problem.SetParameterBlockConstant(parameters[0].data());
     ceres::Solver::Summary summary;
+    const WithoutLog silence;
     ceres::Solve(solver_options(places), &problem, &summary);
-    if (!summary.IsSolutionUsable())
-      throw std::logic_error("the layout cannot be solved: " + summary.message);
+    // Where the numbers are too large or too small to be squared.
+    if (!summary.IsSolutionUsable() || !std::isfinite(summary.final_cost))
+      throw std::invalid_argument("the displacements cannot be laid out: " + summary.message);
     layout.chi_squared = 2 * summary.final_cost;
   }
   for (const auto& [x_m, y_m, heading_rad] : parameters)

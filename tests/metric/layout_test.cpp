@@ -1,9 +1,13 @@
 #include "metric/layout.hpp"
 
+#include <unistd.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 
 #include "metric/exponential.hpp"
@@ -254,6 +258,23 @@ TEST_CASE("what cannot be laid out is refused", "[metric]") {
     if (which == 3) bad.displacement.x_m = std::numeric_limits<double>::quiet_NaN();
     ++which;
     CHECK_THROWS_AS(lay_out(2, std::vector{bad}), std::invalid_argument);
+  }
+}
+
+// A square of it overflows, and no step of the solver succeeds.
+TEST_CASE("what overflows is refused without a word on the standard error", "[metric]") {
+  RandomEngine random(10);
+  for (const std::size_t places : {3U, 30U}) {  // both solvers
+    RandomLayout world = random_layout(places, places + 2, 0.3, random);
+    world.displacements[1].displacement.x_m = 1e250;
+    const int error_output = dup(STDERR_FILENO);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
+    REQUIRE(file);
+    dup2(fileno(file.get()), STDERR_FILENO);
+    CHECK_THROWS_AS(lay_out(places, world.displacements), std::invalid_argument);
+    dup2(error_output, STDERR_FILENO);
+    close(error_output);
+    CHECK(lseek(fileno(file.get()), 0, SEEK_END) == 0);
   }
 }
 
