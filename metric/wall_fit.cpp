@@ -23,6 +23,9 @@ constexpr std::array kTurns{Turn{1, 3}, Turn{1, 6}, Turn{1, kFar}, Turn{0.5, kFa
                             Turn{0.3, kFar}};
 constexpr int kStepsAReach = 8;
 constexpr double kSameWall = 0.8;  // cosine of the angle between the two
+// Farther along a wall than that, it has ended: its last bit's direction, a little wrong, would tell
+// how far along it is.
+constexpr double kAlong_m = 0.2;
 constexpr double kMatched_m = 0.2;
 constexpr double kDone = 1e-5;
 
@@ -68,6 +71,7 @@ Equations equations(const PlaceWalls& first, const PlaceWalls& second, const Pos
     const WallPiece* const near = first.nearest(point);
     if (near == nullptr || !is_within(reach_m, near->point, point)) continue;
     if (std::abs(dot(first_from_second.turned(piece.normal), near->normal)) < kSameWall) continue;
+    if (std::abs(cross(near->normal, point - near->point)) > kAlong_m) continue;
     const double off_m = dot(near->normal, point - near->point);
     // Half as far as the reach, a bit of wall counts half.
     const double information = 1 / square(wall_m) / (1 + square(2 * off_m / reach_m));
