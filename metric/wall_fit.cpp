@@ -23,9 +23,9 @@ constexpr std::array kTurns{Turn{1, 3}, Turn{1, 6}, Turn{1, kFar}, Turn{0.5, kFa
                             Turn{0.3, kFar}};
 constexpr int kStepsAReach = 8;
 constexpr double kSameWall = 0.8;  // cosine of the angle between the two
-// Farther along a wall than that, it has ended: its last bit's direction, a little wrong, would tell
-// how far along it is.
-constexpr double kAlong_m = 0.2;
+// Walls that run along each other seem to tell this much along them, as a share of what they tell
+// across, by how the directions of their bits waver: nothing.
+constexpr double kWavering = 0.02;
 constexpr double kMatched_m = 0.2;
 constexpr double kDone = 1e-5;
 
@@ -61,6 +61,16 @@ struct Equations {
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
 };
 
+void leave_open(Equations& walls) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moves(walls.curvature.topLeftCorner<2, 2>());
+  if (moves.eigenvalues()[0] > kWavering * moves.eigenvalues()[1]) return;
+  Eigen::Matrix3d across = Eigen::Matrix3d::Identity();
+  across.topLeftCorner<2, 2>() -=
+      moves.eigenvectors().col(0) * moves.eigenvectors().col(0).transpose();
+  walls.curvature = across * walls.curvature * across;
+  walls.slope = across * walls.slope;
+}
+
 Equations equations(const PlaceWalls& first, const PlaceWalls& second, const Pose2& pose,
                     double reach_m, double radius_m, double wall_m) {
   Equations sum;
@@ -71,7 +81,6 @@ Equations equations(const PlaceWalls& first, const PlaceWalls& second, const Pos
     const WallPiece* const near = first.nearest(point);
     if (near == nullptr || !is_within(reach_m, near->point, point)) continue;
     if (std::abs(dot(first_from_second.turned(piece.normal), near->normal)) < kSameWall) continue;
-    if (std::abs(cross(near->normal, point - near->point)) > kAlong_m) continue;
     const double off_m = dot(near->normal, point - near->point);
     // Half as far as the reach, a bit of wall counts half.
     const double information = 1 / square(wall_m) / (1 + square(2 * off_m / reach_m));
@@ -80,6 +89,7 @@ Equations equations(const PlaceWalls& first, const PlaceWalls& second, const Pos
     sum.curvature += information * jacobian * jacobian.transpose();
     sum.slope -= information * off_m * jacobian;
   }
+  leave_open(sum);
   return sum;
 }
 
