@@ -23,8 +23,8 @@ constexpr std::array kTurns{Turn{1, 3}, Turn{1, 6}, Turn{1, kFar}, Turn{0.5, kFa
                             Turn{0.3, kFar}};
 constexpr int kStepsAReach = 8;
 constexpr double kSameWall = 0.8;  // cosine of the angle between the two
-// Walls that run along each other seem to tell this much along them, as a share of what they tell
-// across, by how the directions of their bits waver: nothing.
+// What walls seem to tell along them, as a share of what they tell across, where they all run the
+// same way and only the directions of their bits waver, being drawn in cells.
 constexpr double kWavering = 0.02;
 constexpr double kMatched_m = 0.2;
 constexpr double kDone = 1e-5;
@@ -61,6 +61,7 @@ struct Equations {
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
 };
 
+// Takes back what walls of one direction seem to tell along it.
 void leave_open(Equations& walls) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moves(walls.curvature.topLeftCorner<2, 2>());
   if (moves.eigenvalues()[0] > kWavering * moves.eigenvalues()[1]) return;

@@ -77,7 +77,7 @@ TEST_CASE("walls tell where a visit was, from a start off by much", "[metric][pr
       CHECK(fit.matched_walls > (badly ? 0.85 : 0.97));
     }
   }
-  // An L has an open side, by which some of its walls find others beyond.
+  // Now and then an L, from a start as far off as can be, ends a little beside.
   CHECK(off <= 3);
 }
 
@@ -98,11 +98,14 @@ TEST_CASE("along a straight corridor the start is kept", "[metric][property]") {
     // A small turn about the start moves the frame along by little.
     CHECK(std::abs(dot(along, fit.first_from_second.position() - start.position())) < 0.08);
 
-    const Point2 in_second = unit_vector(-visits.world_from_second.heading_rad);
-    const Eigen::Vector3d ahead(in_second.x_m, in_second.y_m, 0);
-    const Eigen::Vector3d aside(-in_second.y_m, in_second.x_m, 0);
     const Matrix3 information = matrix(fit.information);
-    CHECK(ahead.dot(information * ahead) < 0.005 * aside.dot(information * aside));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moves(
+        information.topLeftCorner<2, 2>().eval());
+    CHECK(std::abs(moves.eigenvalues()[0]) < 1e-9 * moves.eigenvalues()[1]);
+    const Point2 in_second = unit_vector(-visits.world_from_second.heading_rad);
+    const Eigen::Vector2d ahead(in_second.x_m, in_second.y_m);
+    // As far as the bits of walls drawn in cells are wrong in direction.
+    CHECK(std::abs(ahead.dot(moves.eigenvectors().col(1))) < 0.15);
   }
 }
 
