@@ -1,7 +1,6 @@
 #include "metric/layout.hpp"
 
 #include <ceres/ceres.h>
-#include <glog/logging.h>
 
 #include <algorithm>
 #include <array>
@@ -118,6 +117,7 @@ ceres::Solver::Options solver_options(std::size_t places) {
 }
 
 // Ceres logs a step that fails, and who has not set up a log finds that on the standard error.
+// The log's header comes with Ceres' own.
 class WithoutLog {
  public:
   WithoutLog() { FLAGS_minloglevel = google::GLOG_FATAL; }
