@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <queue>
@@ -15,42 +16,27 @@
 namespace asterism {
 namespace {
 
-constexpr std::size_t kDensePlaces = 40;  // up to here a dense solver is faster
+// Up to here a dense solver is faster.
+constexpr std::size_t kDensePlaces = 8;
 
 using Parameters = std::array<double, 3>;  // x_m, y_m, heading_rad of one place
 
-Pose2 pose(const double* parameters) {
-  return {parameters[0], parameters[1], wrapped(parameters[2])};
-}
+Pose2 pose(const double* parameters) { return {parameters[0], parameters[1], parameters[2]}; }
 
 class Cost final : public ceres::SizedCostFunction<3, 3, 3> {
  public:
   explicit Cost(const Displacement& displacement) : residual_(displacement) {}
 
   bool Evaluate(double const* const* places, double* residuals, double** jacobians) const override {
-    const Pose2 from = pose(places[0]);
-    const Pose2 to = pose(places[1]);
-    const LayoutResidual::Value value = residual_(from, to);
+    const LayoutResidual::Value value = residual_(pose(places[0]), pose(places[1]));
     Eigen::Map<Eigen::Vector3d>{residuals} = value.residual;
-    if (jacobians != nullptr) {
-      write(jacobians[0], value.by_from, from);
-      write(jacobians[1], value.by_to, to);
-    }
+    if (jacobians == nullptr) return true;
+    if (jacobians[0] != nullptr) Eigen::Map<LayoutResidual::Matrix3>{jacobians[0]} = value.by_from;
+    if (jacobians[1] != nullptr) Eigen::Map<LayoutResidual::Matrix3>{jacobians[1]} = value.by_to;
     return true;
   }
 
  private:
-  // The slope by the place's coordinates in the layout, where it is known by those in its own.
-  static void write(double* jacobian, const Eigen::Matrix3d& by_motion, const Pose2& place) {
-    if (jacobian == nullptr) return;
-    const double c = std::cos(place.heading_rad);
-    const double s = std::sin(place.heading_rad);
-    Eigen::Matrix3d motion_by_coordinates;
-    motion_by_coordinates << c, s, 0, -s, c, 0, 0, 0, 1;
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{jacobian} =
-        by_motion * motion_by_coordinates;
-  }
-
   LayoutResidual residual_;
 };
 
@@ -115,15 +101,33 @@ ceres::Solver::Options solver_options(std::size_t places) {
   ceres::Solver::Options options;
   options.linear_solver_type =
       places <= kDensePlaces ? ceres::DENSE_NORMAL_CHOLESKY : ceres::SPARSE_NORMAL_CHOLESKY;
+  // Of those that Ceres knows, this one never makes threads of its own.
+  options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
+  // Begins as good as undamped: damped from the start, the slow bends of a large map take twice as
+  // many steps.
+  options.initial_trust_region_radius = 1e14;
   options.max_num_iterations = 100;
   // So close that the order of the input does not show.
-  options.function_tolerance = 1e-14;
+  options.function_tolerance = 1e-13;
   options.gradient_tolerance = 1e-9;
   options.parameter_tolerance = 1e-11;
   options.num_threads = 1;
   options.logging_type = ceres::SILENT;
   return options;
 }
+
+// Ceres logs a step that fails, and who has not set up a log finds that on the standard error.
+// The log's header comes with Ceres' own.
+class WithoutLog {
+ public:
+  WithoutLog() { FLAGS_minloglevel = google::GLOG_FATAL; }
+  ~WithoutLog() { FLAGS_minloglevel = before_; }
+  WithoutLog(const WithoutLog&) = delete;
+  WithoutLog& operator=(const WithoutLog&) = delete;
+
+ private:
+  int before_ = FLAGS_minloglevel;
+};
 
 }  // namespace
 
@@ -138,20 +142,27 @@ Layout lay_out(std::size_t places, std::span<const PlaceDisplacement> displaceme
 
   std::vector<Parameters> parameters;
   for (const auto& at : start) parameters.push_back({at->x_m, at->y_m, at->heading_rad});
-  ceres::Problem problem;
+  std::deque<Cost> costs;
+  ceres::Problem::Options problem_options;
+  problem_options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  problem_options.disable_all_safety_checks = true;
+  ceres::Problem problem(problem_options);
   for (const auto& [from, to, displacement] : displacements)
-    problem.AddResidualBlock(new Cost(displacement), nullptr, parameters[from.index()].data(),
-                             parameters[to.index()].data());
+    problem.AddResidualBlock(&costs.emplace_back(displacement), nullptr,
+                             parameters[from.index()].data(), parameters[to.index()].data());
   Layout layout;
   if (!displacements.empty()) {
     problem.SetParameterBlockConstant(parameters[0].data());
     ceres::Solver::Summary summary;
+    const WithoutLog silence;
     ceres::Solve(solver_options(places), &problem, &summary);
-    if (!summary.IsSolutionUsable())
-      throw std::logic_error("the layout cannot be solved: " + summary.message);
+    // Where the numbers are too large or too small to be squared.
+    if (!summary.IsSolutionUsable() || !std::isfinite(summary.final_cost))
+      throw std::invalid_argument("the displacements cannot be laid out: " + summary.message);
     layout.chi_squared = 2 * summary.final_cost;
   }
-  for (const Parameters& place : parameters) layout.layout_from_place.push_back(pose(place.data()));
+  for (const auto& [x_m, y_m, heading_rad] : parameters)
+    layout.layout_from_place.push_back({x_m, y_m, wrapped(heading_rad)});
   if (options.with_covariances)
     layout.covariances = place_covariances(layout.layout_from_place, displacements);
   return layout;

@@ -22,7 +22,8 @@ struct LayoutOptions {
 /// @param places         at least one
 /// @param displacements  λ_k, Σ_k: Σ_k in the frame of the place reached
 /// @throws std::invalid_argument if they do not join all places, one names no place, joins a place
-///         to itself, is not finite, or its covariance is not positive definite
+///         to itself, is not finite, or its covariance is not positive definite; or if they differ
+///         so much in size that numbers overflow
 Layout lay_out(std::size_t places, std::span<const PlaceDisplacement> displacements,
                const LayoutOptions& options = {});
 

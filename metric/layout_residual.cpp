@@ -1,37 +1,78 @@
 #include "metric/layout_residual.hpp"
 
 #include <Eigen/Cholesky>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
-
-#include "metric/exponential.hpp"
 
 namespace asterism {
 namespace {
 
-using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+// Below this turn the series is exact to rounding, and the quotients are not.
+constexpr double kSmallTurn_rad = 1e-4;
 
-Eigen::Matrix3d matrix(const std::array<double, 9>& numbers) {
-  return Eigen::Map<const RowMajor3>(numbers.data());
+// Log(E) = (c x + t/2 y, c y - t/2 x, t) where E = (x, y, t) and c = (t/2) / tan(t/2).
+struct Cotangent {
+  explicit Cotangent(double turn_rad) {
+    const bool small = std::abs(turn_rad) < kSmallTurn_rad;
+    value = small ? 1 - turn_rad * turn_rad / 12 : turn_rad / 2 / std::tan(turn_rad / 2);
+    slope = small ? -turn_rad / 6 : (value - value * value - turn_rad * turn_rad / 4) / turn_rad;
+  }
+  double value;
+  double slope;  ///< by t
+};
+
+// Most headings are near to each other: then there is nothing to do.
+double nearly_wrapped(double angle_rad) {
+  return std::abs(angle_rad) < std::numbers::pi ? angle_rad : wrapped(angle_rad);
+}
+
+// What the inverse of a motion that faces there does to a vector.
+Point2 turned_back(Point2 facing, Point2 vector) {
+  return {dot(facing, vector), cross(facing, vector)};
 }
 
 }  // namespace
 
 LayoutResidual::LayoutResidual(const Displacement& displacement)
-    : j_from_i_(inverse(Pose2{displacement.x_m, displacement.y_m, displacement.heading_rad})) {
-  const Eigen::LLT<Eigen::Matrix3d> root(matrix(displacement.covariance));
+    : i_from_j_{displacement.x_m, displacement.y_m, displacement.heading_rad},
+      facing_(unit_vector(displacement.heading_rad)) {
+  const Eigen::LLT<Eigen::Matrix3d> root(Eigen::Map<const Matrix3>(displacement.covariance.data()));
   if (root.info() != Eigen::Success || root.rcond() < 1e-14)
     throw std::invalid_argument("a displacement's covariance is not positive definite");
   whitening_ = root.matrixL().solve(Eigen::Matrix3d::Identity());
 }
 
+// Written out, since sines and cosines are most of the time that a layout takes.
 LayoutResidual::Value LayoutResidual::operator()(const Pose2& layout_from_i,
                                                  const Pose2& layout_from_j) const {
-  const Pose2 i_from_j = inverse(layout_from_i) * layout_from_j;
-  const SmallMotion error = logarithm(j_from_i_ * i_from_j);
-  // Moving χ_j by δ turns E into E Exp(δ); moving χ_i, into E Exp(-Ad(χ_j⁻¹ χ_i) δ).
-  const Eigen::Matrix3d slope = whitening_ * matrix(logarithm_jacobian(error));
-  return {whitening_ * Eigen::Map<const Eigen::Vector3d>(error.data()),
-          -slope * matrix(adjoint(inverse(i_from_j))), slope};
+  const Point2 facing = unit_vector(layout_from_i.heading_rad);
+  const Point2 apart = turned_back(facing, layout_from_j.position() - layout_from_i.position());
+  // E = λ⁻¹ χ_i⁻¹ χ_j
+  const Point2 off = turned_back(facing_, apart - i_from_j_.position());
+  const double turn_rad =
+      nearly_wrapped(layout_from_j.heading_rad - layout_from_i.heading_rad - i_from_j_.heading_rad);
+  const Cotangent c(turn_rad);
+  const double half = turn_rad / 2;
+  const Eigen::Vector3d error(c.value * off.x_m + half * off.y_m,
+                              c.value * off.y_m - half * off.x_m, turn_rad);
+
+  Matrix3 by_off;                                            // slope of Log(E) by E's x, y and turn
+  by_off << c.value, half, c.slope * off.x_m + off.y_m / 2,  //
+      -half, c.value, c.slope * off.y_m - off.x_m / 2,       //
+      0, 0, 1;
+  const Matrix3 slope = whitening_ * by_off;
+  // E's x and y turn with the layout's, by both headings; and with the heading of χ_i.
+  const Point2 x = turned_back(facing_, turned_back(facing, {1, 0}));
+  const Point2 y = turned_back(facing_, turned_back(facing, {0, 1}));
+  const Point2 by_heading = turned_back(facing_, {apart.y_m, -apart.x_m});
+  Value value;
+  value.residual = whitening_ * error;
+  value.by_to << slope.col(0) * x.x_m + slope.col(1) * x.y_m,
+      slope.col(0) * y.x_m + slope.col(1) * y.y_m, slope.col(2);
+  value.by_from << -value.by_to.leftCols<2>(),
+      slope.col(0) * by_heading.x_m + slope.col(1) * by_heading.y_m - slope.col(2);
+  return value;
 }
 
 }  // namespace asterism

@@ -12,19 +12,23 @@ namespace asterism {
 /// r = W Log(λ⁻¹ χ_i⁻¹ χ_j), with WᵀW = Σ⁻¹.
 class LayoutResidual {
  public:
+  using Matrix3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
   /// @throws std::invalid_argument if the covariance is not positive definite
   explicit LayoutResidual(const Displacement& displacement);
 
   struct Value {
     Eigen::Vector3d residual;
-    Eigen::Matrix3d by_from;  ///< slope by a small motion of χ_i, in its frame
-    Eigen::Matrix3d by_to;    ///< ... of χ_j, in its
+    Matrix3 by_from;  ///< slope by x_m, y_m, heading_rad of χ_i
+    Matrix3 by_to;    ///< ... of χ_j
   };
+  /// A heading may be any number.
   Value operator()(const Pose2& layout_from_i, const Pose2& layout_from_j) const;
 
  private:
-  Pose2 j_from_i_;  ///< as measured: λ⁻¹
-  Eigen::Matrix3d whitening_;
+  Pose2 i_from_j_;  ///< as measured: λ
+  Point2 facing_;   ///< the unit vector of its heading
+  Matrix3 whitening_;
 };
 
 /// Covariance of each place, the first being certain, from the curvature of the sum of squares at

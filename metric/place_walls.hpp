@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/grid.hpp"
@@ -29,9 +31,12 @@ class PlaceWalls {
 
  private:
   void add_piece(const Grid& place_map, Cell cell);
-  void spread(std::size_t piece);
+  void spread(std::size_t piece, std::vector<double>& squares_m2);
+  Point2 in_grid(Point2 in_place) const;
+  std::optional<std::size_t> cell_at(Point2 in_place) const;
 
-  Grid frame_;  ///< the map's, without its cells
+  Grid frame_;     ///< the map's, without its cells
+  Point2 facing_;  ///< along the grid's rows, in the place's frame
   std::vector<bool> known_;
   std::vector<WallPiece> pieces_;
   std::vector<int> nearest_;  ///< by cell: piece, or kNone

@@ -63,6 +63,7 @@ class Ranking::Search {
   /// longer than `most`.
   void search(const Hypotheses& hypotheses, bool plausible, std::size_t most,
               std::vector<Found>& found) {
+    if (most == 0) return;
     levels_.clear();
     displacements_.clear();
     hypotheses([&](std::span<const Arrival> arrivals) {

@@ -1,9 +1,13 @@
 #include "metric/layout.hpp"
 
+#include <unistd.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 
 #include "metric/exponential.hpp"
@@ -45,6 +49,14 @@ double misfit(const std::vector<Pose2>& poses, std::span<const PlaceDisplacement
   return sum;
 }
 
+Eigen::Matrix3d coordinates_by_motion(const Pose2& pose) {
+  const double c = std::cos(pose.heading_rad);
+  const double s = std::sin(pose.heading_rad);
+  Eigen::Matrix3d turn;
+  turn << c, -s, 0, s, c, 0, 0, 0, 1;
+  return turn;
+}
+
 }  // namespace
 
 TEST_CASE("a residual is white, whatever the covariance", "[metric][property]") {
@@ -67,16 +79,19 @@ TEST_CASE("a residual's slopes are those measured", "[metric][property]") {
     const Pose2 from = world.layout_from_place[0] * exponential({0.3, -0.2, 0.4});
     const Pose2 to = world.layout_from_place[1];
     const auto value = residual(from, to);
-    for (int column = 0; column < 3; ++column) {
-      SmallMotion by{};
-      by[static_cast<std::size_t>(column)] = step;
-      const SmallMotion back{-by[0], -by[1], -by[2]};
-      const Eigen::Vector3d by_from = (residual(from * exponential(by), to).residual -
-                                       residual(from * exponential(back), to).residual) /
-                                      (2 * step);
-      const Eigen::Vector3d by_to = (residual(from, to * exponential(by)).residual -
-                                     residual(from, to * exponential(back)).residual) /
-                                    (2 * step);
+    for (Eigen::Index column = 0; column < 3; ++column) {
+      const auto moved = [&](Pose2 pose, double by) {
+        if (column == 0) pose.x_m += by;
+        if (column == 1) pose.y_m += by;
+        if (column == 2) pose.heading_rad += by;
+        return pose;
+      };
+      const Eigen::Vector3d by_from =
+          (residual(moved(from, step), to).residual - residual(moved(from, -step), to).residual) /
+          (2 * step);
+      const Eigen::Vector3d by_to =
+          (residual(from, moved(to, step)).residual - residual(from, moved(to, -step)).residual) /
+          (2 * step);
       const double size = 1 + by_from.norm() + by_to.norm();
       CHECK((value.by_from.col(column) - by_from).norm() < 1e-5 * size);
       CHECK((value.by_to.col(column) - by_to).norm() < 1e-5 * size);
@@ -125,8 +140,8 @@ TEST_CASE("a layout is the best there is", "[metric][property]") {
 
 TEST_CASE("covariances are those of the whole inverse", "[metric][property]") {
   RandomEngine random(5);
-  for (const std::size_t places : {std::size_t{2}, std::size_t{5}, std::size_t{30}}) {
-    const RandomLayout world = random_layout(places, 2 * places, 0.2, random);
+  for (const std::size_t places : {2U, 3U, 5U, 30U, 120U}) {
+    const RandomLayout world = random_layout(places, 3 * places / 2, 0.2, random);
     const Layout layout = lay_out(places, world.displacements);
     const auto size = static_cast<Eigen::Index>(3 * places);
     Eigen::MatrixXd curvature = Eigen::MatrixXd::Zero(size, size);
@@ -134,8 +149,10 @@ TEST_CASE("covariances are those of the whole inverse", "[metric][property]") {
       const auto value = LayoutResidual(displacement)(layout.layout_from_place[from.index()],
                                                       layout.layout_from_place[to.index()]);
       Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(3, size);
-      slope.middleCols<3>(static_cast<Eigen::Index>(3 * from.index())) = value.by_from;
-      slope.middleCols<3>(static_cast<Eigen::Index>(3 * to.index())) = value.by_to;
+      slope.middleCols<3>(static_cast<Eigen::Index>(3 * from.index())) =
+          value.by_from * coordinates_by_motion(layout.layout_from_place[from.index()]);
+      slope.middleCols<3>(static_cast<Eigen::Index>(3 * to.index())) =
+          value.by_to * coordinates_by_motion(layout.layout_from_place[to.index()]);
       curvature += slope.transpose() * slope;
     }
     const Eigen::MatrixXd inverse = curvature.bottomRightCorner(size - 3, size - 3).inverse();
@@ -241,6 +258,23 @@ TEST_CASE("what cannot be laid out is refused", "[metric]") {
     if (which == 3) bad.displacement.x_m = std::numeric_limits<double>::quiet_NaN();
     ++which;
     CHECK_THROWS_AS(lay_out(2, std::vector{bad}), std::invalid_argument);
+  }
+}
+
+// A square of it overflows, and no step of the solver succeeds.
+TEST_CASE("what overflows is refused without a word on the standard error", "[metric]") {
+  RandomEngine random(10);
+  for (const std::size_t places : {3U, 30U}) {  // both solvers
+    RandomLayout world = random_layout(places, places + 2, 0.3, random);
+    world.displacements[1].displacement.x_m = 1e250;
+    const int error_output = dup(STDERR_FILENO);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
+    REQUIRE(file);
+    dup2(fileno(file.get()), STDERR_FILENO);
+    CHECK_THROWS_AS(lay_out(places, world.displacements), std::invalid_argument);
+    dup2(error_output, STDERR_FILENO);
+    close(error_output);
+    CHECK(lseek(fileno(file.get()), 0, SEEK_END) == 0);
   }
 }
 

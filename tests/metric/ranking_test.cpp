@@ -257,6 +257,20 @@ TEST_CASE("a layout is its parent's where nothing closed", "[metric][property]")
   CHECK(opened > 5);
 }
 
+TEST_CASE("where no map is asked for none is ranked", "[metric]") {
+  RandomEngine random(8);
+  const MeasuredWalk walk = measured_walk(6, 0.3, random);
+  PlaceAlignments alignments(walk.trace, {});
+  const MapTree tree = tree_of(walk.trace);
+  Ranking ranking(walk.trace, std::ref(alignments), {.models = 0});
+  ranking.add([&](const auto& f) {
+    tree.for_each([&](HypothesisId, std::span<const Arrival> map) { f(map); });
+  });
+  CHECK(ranking.best().empty());
+  CHECK(ranking.most_preferred().empty());
+  CHECK(ranking.layouts() == 0);
+}
+
 TEST_CASE("what has no displacement cannot be ranked", "[metric]") {
   RandomEngine random(7);
   Trace trace = measured_walk(4, 0.3, random).trace;
