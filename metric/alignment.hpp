@@ -14,14 +14,14 @@ namespace asterism {
 struct AlignmentOptions {
   double radius_m = 12;  ///< walls farther from where a visit was entered do not count
 
-  // Deviations of a gateway seen at two visits.
+  // Deviations of a gateway seen at two visits: at corners, where they are least certain.
   double aside_m = 0.3;  ///< of its middle, across the way
-  double ahead_m = 0.6;  ///< ... along it: where a corridor narrows is hard to say
+  double ahead_m = 1.5;  ///< ... along it: where a corridor narrows is hard to say
   double heading_rad = 0.15;
 
   // Deviations that all walls seen at two visits share.
-  double shared_m = 0.02;
-  double shared_rad = 0.003;
+  double shared_m = 0.015;
+  double shared_rad = 0.0025;
 };
 
 /// L_i for a hypothesis' returns: where a visit was in the frame of the place's first.

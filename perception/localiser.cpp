@@ -36,15 +36,10 @@ Localiser::Estimate Localiser::observe(const Scan& scan, const LocalPerceptualMa
   Estimate estimate{.map_from_robot = found.map_from_robot, .match = match(found.map_from_robot)};
   const Pose2 moved = inverse(last_) * found.map_from_robot;
   estimate.turned_rad = moved.heading_rad;
-  PoseCovariance by_chance = found.covariance;
-  SmallMotion by_wheels = {};  // as far as the fit left it to them
-  const SmallMotion driven{step.motion.x_m, step.motion.y_m, 0};
-  const double share = options_.drift_per_m * norm(moved.position());
-  for (std::size_t i = 0; i < by_chance.size(); ++i) {
-    by_wheels[i / 3] += by_chance[i] * driven[i % 3] / squared(step.sigma_m);
-    by_chance[i] *= share;
-  }
-  drift_ = drifted(drift_, found.map_from_robot, by_chance, by_wheels);
+  StepDrift drift{found.covariance, left_to_wheels(found.covariance, step.motion, step.sigma_m),
+                  norm(moved.position())};
+  for (double& entry : drift.by_chance) entry *= options_.drift_per_m * drift.driven_m;
+  drift_ = drifted(drift_, found.map_from_robot, drift);
   estimate.drift = drift_;
   last_ = found.map_from_robot;
   return estimate;

@@ -35,7 +35,7 @@ struct LocaliserOptions {
   ScanFitOptions fit = {};
   /// Share of a fit's covariance that stays as drift, a metre driven: fits to the same walls go
   /// wrong alike. Like those of DriftOptions, set by simulated drives, whose true poses are known.
-  double drift_per_m = 0.5;
+  double drift_per_m = 0.3;
 };
 
 /// Where the robot is in its local perceptual map: Bel(x_t) as weighted particles.
