@@ -132,7 +132,7 @@ class SparseInverse {
       u.col(k) = Eigen::Map<const Eigen::VectorXd>(values + inside, below);
     }
     const auto triangle = unit.triangularView<Eigen::UnitLower>();
-    triangle.solveInPlace<Eigen::OnTheRight>(u);
+    if (below > 0) triangle.solveInPlace<Eigen::OnTheRight>(u);
     const MatrixXd root = triangle.solve(MatrixXd::Identity(columns, columns));
 
     MatrixXd z(columns + below, columns + below);
@@ -143,8 +143,9 @@ class SparseInverse {
     }
     z.topLeftCorner(columns, columns).noalias() =
         root.transpose() * pivots_.segment(group.begin, columns).cwiseInverse().asDiagonal() * root;
-    z.topLeftCorner(columns, columns).noalias() -=
-        u.transpose() * z.bottomLeftCorner(below, columns);
+    if (below > 0)
+      z.topLeftCorner(columns, columns).noalias() -=
+          u.transpose() * z.bottomLeftCorner(below, columns);
     for (Index k = 0; k < columns; k += 3)
       block_of_[at((group.begin + k) / 3)] = z.block<3, 3>(k, k);
     if (group.waiting > 0) group.inverse = std::move(z);
