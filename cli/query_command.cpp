@@ -83,35 +83,37 @@ Json json_of(const std::optional<std::vector<Arrival>>& map) {
   return {{"visits", visits}, {"entered", entered}};
 }
 
-Json json_of(const QueryCommand& command, const Trace& trace, const MapTree& tree,
-             const QueryReport& report) {
+Json json_of(const Query& query, const Answer* answer) {
+  if (answer == nullptr)
+    return {{"query", query.text}, {"verdict", "undecided"}, {"holds", nullptr},
+            {"of", nullptr},       {"witness", nullptr},     {"counterexample", nullptr}};
+  return {{"query", query.text},
+          {"verdict", name_of(answer->modality())},
+          {"holds", answer->holds},
+          {"of", answer->of},
+          {"witness", json_of(answer->witness)},
+          {"counterexample", json_of(answer->counterexample)}};
+}
+
+/// A query a line.
+void write_json(std::ostream& out, const QueryCommand& command, const Trace& trace,
+                const MapTree& tree, const QueryReport& report) {
   const MapOptions& options = command.map.options;
-  Json result{{"format", "asterism/answers"}, {"version", 1}, {"trace", trace.name}};
-  result["options"] = {{"planar", options.planar},
-                       {"check", options.check},
-                       {"axioms", options.axioms},
-                       {"optional_axioms", options.optional_axioms},
-                       {"over", command.only_minimal ? "minimal" : "all"}};
-  result["consistent"] = report.answers ? Json(tree.size()) : Json();
-  result["complete"] = report.answers.has_value();
-  if (report.stopped_by) result["stopped_by"] = *report.stopped_by;
-  result["queries"] = Json::array();
-  for (std::size_t i = 0; i < report.queries.size(); ++i) {
-    Json& query = result["queries"].emplace_back(Json{{"query", report.queries[i].text}});
-    if (report.answers) {
-      const Answer& answer = report.answers->at(i);
-      query["verdict"] = name_of(answer.modality());
-      query["holds"] = answer.holds;
-      query["of"] = answer.of;
-      query["witness"] = json_of(answer.witness);
-      query["counterexample"] = json_of(answer.counterexample);
-    } else {
-      query["verdict"] = "undecided";
-      for (const char* const unknown : {"holds", "of", "witness", "counterexample"})
-        query[unknown] = nullptr;
-    }
-  }
-  return result;
+  Json head{{"format", "asterism/answers"}, {"version", 1}, {"trace", trace.name}};
+  head["options"] = {{"planar", options.planar},
+                     {"check", options.check},
+                     {"axioms", options.axioms},
+                     {"optional_axioms", options.optional_axioms},
+                     {"over", command.only_minimal ? "minimal" : "all"}};
+  head["consistent"] = report.answers ? Json(tree.size()) : Json();
+  head["complete"] = report.answers.has_value();
+  if (report.stopped_by) head["stopped_by"] = *report.stopped_by;
+  const std::string text = head.dump();
+  out << std::string_view(text).substr(0, text.size() - 1) << ",\n  \"queries\": [";
+  for (std::size_t i = 0; i < report.queries.size(); ++i)
+    out << (i == 0 ? "\n    " : ",\n    ")
+        << json_of(report.queries[i], report.answers ? &report.answers->at(i) : nullptr).dump();
+  out << "]}\n";
 }
 
 /// Grows the tree and asks it, as far as the limits let it.
@@ -142,9 +144,7 @@ int query_command(const QueryCommand& given) {
   MapTree tree(std::move(options));
   find_answers(command, trace, tree, progress, report);
 
-  const auto write = [&](std::ostream& out) {
-    out << json_of(command, trace, tree, report).dump(1) << '\n';
-  };
+  const auto write = [&](std::ostream& out) { write_json(out, command, trace, tree, report); };
   if (command.map.json == "-") {
     write(std::cout);
   } else {

@@ -9,6 +9,7 @@ namespace asterism {
 namespace {
 
 constexpr std::size_t most_digits = 9;
+constexpr std::size_t longest_shown = 40;
 constexpr std::size_t excerpt_before = 40;
 constexpr std::size_t excerpt_after = 30;
 
@@ -41,6 +42,12 @@ struct Token {
   std::size_t at;
 };
 
+std::string shown(const Token& token) {
+  if (token.kind == Token::Kind::end) return "the end";
+  if (token.text.size() <= longest_shown) return "'" + std::string(token.text) + "'";
+  return "'" + std::string(token.text.substr(0, longest_shown)) + "...'";
+}
+
 /// The tokens of a query, one at a time.
 class Tokens {
  public:
@@ -63,9 +70,7 @@ class Tokens {
     if (!take_if(text)) refuse("'" + std::string(text) + "'");
   }
   [[noreturn]] void refuse(const std::string& expected) const {
-    const std::string found =
-        now_.kind == Token::Kind::end ? "the end" : "'" + std::string(now_.text) + "'";
-    throw QueryError(text_, now_.at, found, expected);
+    throw QueryError(text_, now_.at, shown(now_), expected);
   }
   [[noreturn]] void refuse(std::size_t at, const std::string& found,
                            const std::string& expected) const {
@@ -230,7 +235,7 @@ class Reader {
   std::uint64_t digits() {
     const Token token = tokens_.take();
     if (!std::ranges::all_of(token.text, is_digit))
-      tokens_.refuse(token.at, "'" + std::string(token.text) + "'", "a whole number");
+      tokens_.refuse(token.at, shown(token), "a whole number");
     if (token.text.size() > most_digits)
       tokens_.refuse(token.at, "a number of " + std::to_string(token.text.size()) + " digits",
                      "at most " + std::to_string(most_digits));
