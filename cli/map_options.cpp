@@ -1,5 +1,7 @@
 #include "cli/map_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "cli/option_checks.hpp"
 
 namespace asterism {

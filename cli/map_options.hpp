@@ -1,9 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "cli/options.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace asterism {
 

@@ -1,33 +1,19 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <string>
+
+namespace CLI {
+class Validator;
+}
 
 namespace asterism {
 
-/// CLI11 takes -1 for 2^64 - 1.
-inline const CLI::Validator whole_number(
-    [](const std::string& text) {
-      const bool is_number = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-        return c >= '0' && c <= '9';
-      });
-      return is_number ? "" : "found " + text + "; expected a whole number";
-    },
-    "");
+// What the values of options must be.
 
-/// CLI::Range takes NaN for one of its numbers, and spells out its bounds.
-inline CLI::Validator number_between(double low, double high, const std::string& expected) {
-  return CLI::Validator(
-      [=](const std::string& text) {
-        double value = 0;
-        const bool is_fit = CLI::detail::lexical_cast(text, value) && std::isfinite(value) &&
-                            value >= low && value <= high;
-        return is_fit ? "" : "found " + text + "; expected " + expected;
-      },
-      "");
-}
-inline const CLI::Validator seconds = number_between(0, 1e9, "seconds, at least 0");
+extern const CLI::Validator whole_number;
+extern const CLI::Validator seconds;
+
+/// @param expected  what an error says
+CLI::Validator number_between(double low, double high, const std::string& expected);
 
 }  // namespace asterism

@@ -63,9 +63,8 @@ void print(const QueryCommand& command, const MapTree& tree, const QueryReport& 
     fmt::print("{}: {}, in {} of {} {}\n", text, name_of(answer.modality()), answer.holds,
                answer.of, noun(command, answer.of));
     if (answer.modality() != Modality::possible) continue;
-    fmt::print("  places of the visits where it holds:    {}\n", visits_text(*answer.witness));
-    fmt::print("  places of the visits where it does not: {}\n",
-               visits_text(*answer.counterexample));
+    fmt::print("  it holds with visits at places {}\n", visits_text(*answer.witness));
+    fmt::print("  it fails with visits at places {}\n", visits_text(*answer.counterexample));
   }
   if (report.answers && tree.size() == 0)
     fmt::print("no map explains the trace: none is left after visit {}\n",
