@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -8,7 +9,6 @@
 
 #include "cli/grow.hpp"
 #include "cli/map_parts.hpp"
-#include "cli/map_text.hpp"
 #include "cli/progress.hpp"
 #include "core/error.hpp"
 #include "engine/query.hpp"
@@ -46,6 +46,13 @@ std::string noun(const QueryCommand& command, std::uint64_t count) {
                      command.only_minimal ? "minimal model" : "map", count == 1 ? "" : "s");
 }
 
+/// As it may be shown in one line: what is read has no control characters but white space.
+std::string one_line(std::string query) {
+  std::ranges::replace_if(
+      query, [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
+  return query;
+}
+
 std::string visits_text(const std::vector<Arrival>& arrivals) {
   std::vector<std::size_t> places;
   for (const Arrival& arrival : arrivals) places.push_back(arrival.place.index());
@@ -54,7 +61,7 @@ std::string visits_text(const std::vector<Arrival>& arrivals) {
 
 void print(const QueryCommand& command, const MapTree& tree, const QueryReport& report) {
   for (std::size_t i = 0; i < report.queries.size(); ++i) {
-    const std::string text = printable(report.queries[i].text);
+    const std::string text = one_line(report.queries[i].text);
     if (!report.answers) {
       fmt::print("{}: undecided, stopped by {}\n", text, *report.stopped_by);
       continue;

@@ -11,7 +11,7 @@
 namespace asterism {
 namespace {
 
-constexpr std::uint64_t maps_between_questions = 1 << 14;
+constexpr std::uint64_t work_between_questions = 1 << 15;  ///< some tens of milliseconds
 
 template <class... F>
 struct Overloaded : F... {
@@ -176,11 +176,19 @@ std::optional<std::vector<Answer>> ask(const MapTree& tree, std::span<const Quer
                                        const std::function<bool(std::uint64_t maps)>& go_on) {
   for (const Query& query : queries) require_visits(query, tree.trace());
   Asking asking(tree.trace(), queries);
+  std::uint64_t work_of_map = 0;
+  for (const Query& query : queries) work_of_map += 1 + query.mentions.size();
   std::uint64_t maps = 0;
+  std::uint64_t work = 0;
   bool stopped = false;
   const auto ask_map = [&](HypothesisId, std::span<const Arrival> arrivals) {
     asking(arrivals);
-    stopped = ++maps % maps_between_questions == 0 && go_on && !go_on(maps);
+    ++maps;
+    work += work_of_map;
+    if (work >= work_between_questions) {
+      work = 0;
+      stopped = go_on && !go_on(maps);
+    }
     return !stopped;
   };
   only_minimal ? tree.for_each_while(tree.minimal(), ask_map) : tree.for_each_while(ask_map);

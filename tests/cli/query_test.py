@@ -92,6 +92,10 @@ class Answers(Folder):
         self.assertEqual(text, run("query", ACES, "places = 9").stdout)
         self.assertRegex(text, r"^places = 9: possible, in 6 of 107 maps\n  it holds [^\n]*\n  it fails ")
 
+    def test_a_query_of_two_lines_is_shown_in_one(self):
+        done = run("query", ACES, "same(0, 0)\n\tand same(1, 1)")
+        self.assertEqual(done.stdout, "same(0, 0)  and same(1, 1): certain, in 107 of 107 maps\n")
+
     def test_a_trace_from_stdin(self):
         done = run("query", "-", "same(0, 0)", stdin=ACES.read_text())
         self.assertEqual(done.stdout, "same(0, 0): certain, in 107 of 107 maps\n")
