@@ -68,7 +68,7 @@ TEST_CASE("any row of words is a query or refused", "[engine][query][property]")
                                "12",   "same(0,1)", "paths", "!",       "order(0,1,2)"};
   RandomEngine engine(5);
   std::size_t read = 0;
-  for (int i = 0; i < 100'000; ++i) {
+  for (int i = 0; i < 20'000; ++i) {
     std::string text;
     for (std::size_t n = below(9, engine); n > 0; --n)
       text += words[below(std::size(words), engine)] + ' ';
@@ -76,9 +76,8 @@ TEST_CASE("any row of words is a query or refused", "[engine][query][property]")
       read_query(text);
       ++read;
     } catch (const QueryError& error) {
-      const std::string message = error.what();
-      CHECK(message.starts_with("query, character "));
+      REQUIRE(std::string(error.what()).starts_with("query, character "));
     }
   }
-  CHECK(read > 100);
+  CHECK(read > 50);
 }

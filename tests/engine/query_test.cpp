@@ -37,7 +37,7 @@ std::vector<Case> cases_of(std::size_t visits, unsigned seed) {
       cases.push_back({call("steps", {i, j}) + " <= " + std::to_string(n),
                        [=](auto& map) { return map.steps(i, j) <= n; }});
       for (std::size_t k = 0; k < visits; ++k)
-        if ((i + j + k + seed) % 3 == 0)
+        if ((i + 3 * j + 2 * k + seed) % 7 == 0)
           cases.push_back(
               {call("order", {i, j, k}), [=](auto& map) { return map.order(i, j, k); }});
       if (j + 1 == visits) continue;
@@ -92,6 +92,7 @@ void check_answers(const std::vector<Case>& cases, const std::vector<Answer>& an
                    const std::vector<TopologicalMap>& maps) {
   const std::vector<QueryReference> references(maps.begin(), maps.end());
   REQUIRE(answers.size() == cases.size());
+  std::vector<std::string> differing;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     std::uint64_t holding = 0;
     std::optional<Association> witness;
@@ -109,10 +110,9 @@ void check_answers(const std::vector<Case>& cases, const std::vector<Answer>& an
     const bool agrees = answer.holds == holding && answer.of == maps.size() &&
                         answer.modality() == modality && answer.witness == witness &&
                         answer.counterexample == counterexample;
-    INFO(cases[i].text << ": " << answer.holds << " of " << answer.of << ", reference " << holding
-                       << " of " << maps.size());
-    CHECK(agrees);
+    if (!agrees) differing.push_back(cases[i].text);
   }
+  CHECK(differing == std::vector<std::string>{});
 }
 
 std::vector<Answer> answers_to(const MapTree& tree, const std::vector<std::string>& texts,
@@ -163,7 +163,7 @@ TEST_CASE("every predicate holds in the maps where brute force says so",
           "[engine][query][reference][property]") {
   std::size_t maps_asked = 0;
   for (unsigned seed = 0; seed < 500; ++seed) {
-    const Trace trace = seeded_walk(seed, 5 + seed % 8).trace;
+    const Trace trace = seeded_walk(seed, 5 + seed % 6).trace;
     INFO(to_keep(seed, trace));
     const auto cases = cases_of(trace.visits.size(), seed);
     const auto queries = queries_of(cases);
@@ -175,13 +175,13 @@ TEST_CASE("every predicate holds in the maps where brute force says so",
       maps_asked += maps.size();
     }
   }
-  CHECK(maps_asked > 5000);
+  CHECK(maps_asked > 3000);
 }
 
 TEST_CASE("answers keep the laws of logic", "[engine][query][property]") {
   RandomEngine engine(1);
   std::size_t possible = 0;
-  for (unsigned seed = 0; seed < 200; ++seed) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
     const MapTree tree = tree_of(seeded_walk(seed, 16 + seed % 8).trace, seed % 2 == 0);
     const std::size_t visits = tree.trace().visits.size();
     const bool only_minimal = seed % 3 == 0;
@@ -215,7 +215,7 @@ TEST_CASE("answers keep the laws of logic", "[engine][query][property]") {
     for (const Answer& answer : answers)
       if (answer.modality() == Modality::possible) ++possible;
   }
-  CHECK(possible > 80);
+  CHECK(possible > 40);
 }
 
 TEST_CASE("predicates are related as their words say", "[engine][query][property]") {
