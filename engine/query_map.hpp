@@ -13,8 +13,8 @@ namespace asterism {
 /// A map as queries see it, one after another: only what is asked for is computed, in buffers that
 /// the next map uses again.
 ///
-/// Says what make_map would write out, at a small part of its cost, since a tree may have millions of
-/// maps.
+/// Says what make_map would write out, at a small part of its cost, since a tree may have millions
+/// of maps.
 class QueryMap {
  public:
   explicit QueryMap(const Trace& trace);
