@@ -1,107 +1,25 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <numbers>
 
+#include "cli/map_options.hpp"
+#include "cli/option_checks.hpp"
 #include "cli/options.hpp"
 #include "core/error.hpp"
 #include "engine/map_tree.hpp"
+#include "engine/query_reader.hpp"
 #include "io/trace_file.hpp"
 
 namespace {
 
 using namespace asterism;
 
-/// CLI11 takes -1 for 2^64 - 1.
-const CLI::Validator whole_number(
-    [](const std::string& text) {
-      const bool is_number = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-        return c >= '0' && c <= '9';
-      });
-      return is_number ? "" : "found " + text + "; expected a whole number";
-    },
-    "");
-
-/// CLI::Range takes NaN for one of its numbers, and spells out its bounds.
-CLI::Validator number_between(double low, double high, const std::string& expected) {
-  return CLI::Validator(
-      [=](const std::string& text) {
-        double value = 0;
-        const bool is_fit = CLI::detail::lexical_cast(text, value) && std::isfinite(value) &&
-                            value >= low && value <= high;
-        return is_fit ? "" : "found " + text + "; expected " + expected;
-      },
-      "");
-}
-const CLI::Validator seconds = number_between(0, 1e9, "seconds, at least 0");
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 const CLI::Validator share = number_between(0, 1, "a number from 0 to 1");
-
-void add_axiom_options(CLI::App& app, AxiomOptions& options) {
-  app.add_option("--axioms", options.folder,
-                 "Folder of axioms (*.smt2) instead of the shipped ones")
-      ->type_name("DIR");
-  app.add_option("--axiom", options.optional,
-                 "Switch an optional axiom on; `asterism axioms` names them (repeatable)")
-      ->type_name("NAME")
-      ->take_all();
-}
-
-void add_map(CLI::App& app, MapCommand& command, std::function<int()>& chosen) {
-  CLI::App& map = *app.add_subcommand("map", "Find every map that explains a trace");
-  map.footer(R"(Examples:
-  asterism map examples/aces-stubs.trace.json --planar
-  asterism map drive.trace.json --svg drawings --json drive.maps.json
-  asterism map drive.trace.json --all --json - | jq .consistent
-  asterism map drive.trace.json --why-not 0,1,2,0
-Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a limit or Ctrl-C,
-64 usage, 65 bad input, 70 internal fault or a result that cannot be written.)");
-  MapOptions& options = command.options;
-  map.add_option("trace", command.trace, "Trace file (*.trace.json); -: stdin")->required();
-  map.add_flag("--planar", options.planar, "Keep only maps that can be drawn in the plane");
-  map.add_option("--check", options.check,
-                 "Who decides: native, the solver alone, or both compared at every candidate")
-      ->check(CLI::IsMember({"native", "solver", "both"}))
-      ->capture_default_str();
-  add_axiom_options(map, command.axioms);
-  map.add_option("--certify", options.certify_s,
-                 "Seconds the solver may take to certify the minimal models; 0: do not")
-      ->type_name("S")
-      ->check(seconds)
-      ->capture_default_str();
-  map.add_option("--json", command.json, "Write a maps file; -: alone on stdout")
-      ->type_name("FILE");
-  map.add_flag("--all", options.all, "List every map, not the minimal models alone");
-  map.add_option("--svg", command.svg_folder,
-                 "Draw each minimal model, and the number of maps a visit, into a folder")
-      ->type_name("DIR");
-  map.add_option("--export-smt2", command.smt2_folder,
-                 "Write the grounded problem of each map listed, for z3 or cvc5")
-      ->type_name("DIR");
-  CLI::Option& why_not =
-      *map.add_option(
-              "--why-not", command.why_not,
-              "Say why the last of these visits cannot be at the last of these places: the place "
-              "of each visit from the first, a new one having the next number")
-           ->type_name("PLACES")
-           ->check(whole_number)
-           ->delimiter(',');
-  map.add_option("--max-hypotheses", options.max_hypotheses,
-                 "Stop when a visit leaves more maps than this")
-      ->type_name("N")
-      ->check(whole_number);
-  map.add_option("--time-limit", options.time_limit_s, "Stop growing after this many seconds")
-      ->type_name("S")
-      ->check(seconds);
-  for (const char* option : {"--json", "--all", "--svg", "--max-hypotheses", "--time-limit"})
-    why_not.excludes(map.get_option(option));
-  map.callback([&] { chosen = [&] { return map_command(command); }; });
-}
 
 void add_simulated_drive(CLI::App& simulate, SimulateCommand& command) {
   CLI::Option& building = *simulate
@@ -372,6 +290,7 @@ int run(int argc, char** argv) {
   app.footer("Each command has a --help with examples.");
 
   MapCommand map;
+  QueryCommand query;
   PerceiveCommand perceive;
   RunCommand whole;
   SimulateCommand simulate;
@@ -380,6 +299,7 @@ int run(int argc, char** argv) {
   std::vector<std::string> files;
   std::function<int()> chosen;
   add_map(app, map, chosen);
+  add_query(app, query, chosen);
   add_perceive(app, perceive, chosen);
   add_run(app, whole, chosen);
   add_simulate(app, simulate, chosen);
@@ -403,6 +323,10 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (const QueryError& error) {
+    const int code = fail(exit_usage, error.what());
+    std::fprintf(stderr, "%s\n", error.excerpt().c_str());
+    return code;
   } catch (const InputError& error) {
     return fail(exit_bad_input, error.what());
   } catch (const PluginError& error) {

@@ -12,7 +12,6 @@
 #include "cli/map_parts.hpp"
 #include "cli/map_text.hpp"
 #include "cli/progress.hpp"
-#include "core/error.hpp"
 #include "engine/map_tree.hpp"
 #include "io/atomic_file.hpp"
 #include "io/chart_svg.hpp"
@@ -94,14 +93,8 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
 int map_command(const MapCommand& given) {
   MapCommand command = given;
   const Trace trace = read_trace_file(command.trace == "-" ? "/dev/stdin" : command.trace);
-  const AxiomSet axioms = command.axioms.read();
+  const AxiomSet axioms = read_axioms(command);
   command.visits = trace.visits.size();
-  command.options.axioms = command.axioms.folder.value_or("shipped");
-  command.options.optional_axioms = command.axioms.optional;
-  std::ranges::sort(command.options.optional_axioms);
-  if (command.options.check != "solver" && !axioms.is_shipped())
-    throw InputError("--axioms", "other axioms than the shipped ones",
-                     "--check solver with them, since the native engine knows no others");
   if (!command.why_not.empty()) return why_not(command, axioms, trace);
 
   Progress progress(trace.visits.size(), command.options.time_limit_s);

@@ -32,6 +32,17 @@ std::vector<std::vector<Arrival>> parents_of(const MapCommand& command, const Ax
 
 }  // namespace
 
+AxiomSet read_axioms(MapCommand& command) {
+  AxiomSet axioms = command.axioms.read();
+  command.options.axioms = command.axioms.folder.value_or("shipped");
+  command.options.optional_axioms = command.axioms.optional;
+  std::ranges::sort(command.options.optional_axioms);
+  if (command.options.check != "solver" && !axioms.is_shipped())
+    throw InputError("--axioms", "other axioms than the shipped ones",
+                     "--check solver with them, since the native engine knows no others");
+  return axioms;
+}
+
 MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms) {
   MapTree::Options options;
   options.planar = command.options.planar;

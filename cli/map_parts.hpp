@@ -12,6 +12,10 @@ namespace asterism {
 
 // What `asterism map` is made of.
 
+/// Reads the axioms that a command asks for, and records in its options which these are.
+/// @throws InputError if they cannot be read, or need the solver and `check` names another
+AxiomSet read_axioms(MapCommand& command);
+
 MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms);
 
 /// @throws Error if it cannot be made

@@ -34,6 +34,12 @@ struct MapCommand {
   std::vector<std::size_t> why_not;  ///< place of each visit, up to the one in question
 };
 
+struct QueryCommand {
+  MapCommand map;  ///< what maps to ask
+  std::vector<std::string> queries;
+  bool only_minimal = false;
+};
+
 struct SimulateCommand {
   std::string world = "grid";           ///< or "corridors"
   std::optional<std::string> building;  ///< "aces-like" or "office": scans of a drive, not a walk
@@ -88,6 +94,7 @@ struct EvaluateCommand {
 
 /// Each prints its result on stdout, progress on stderr, and returns the exit code.
 int map_command(const MapCommand& command);
+int query_command(const QueryCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int run_command(const RunCommand& command);
 int simulate_command(const SimulateCommand& command);

@@ -84,6 +84,8 @@ void ArmTable::set_left_steps() {
 std::vector<Arrival> ArmTable::arrivals(std::span<const ArmIndex> named) const {
   std::vector<Arrival> result;
   std::vector<std::size_t> place_of_visit;  // by first visit
+  result.reserve(named.size());
+  place_of_visit.reserve(named.size());
   std::size_t places = 0;
   for (std::size_t k = 0; k < named.size(); ++k) {
     const ArmIndex first_visit = visit_of(named[k]);

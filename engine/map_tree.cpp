@@ -332,24 +332,39 @@ TopologicalMap MapTree::map(HypothesisId id) const {
 }
 
 void MapTree::for_each(const std::function<void(HypothesisId, std::span<const Arrival>)>& f) const {
-  const ArmTable& table = growing_->table;
-  growing_->tree.for_each_leaf(table.visits(),
-                               [&](std::uint64_t leaf, std::span<const ArmIndex> named) {
-                                 f(HypothesisId(leaf), table.arrivals(named));
-                                 return true;
-                               });
+  for_each_while([&](HypothesisId id, std::span<const Arrival> arrivals) {
+    f(id, arrivals);
+    return true;
+  });
 }
 
 void MapTree::for_each(std::span<const HypothesisId> ids,
                        const std::function<void(HypothesisId, std::span<const Arrival>)>& f) const {
+  for_each_while(ids, [&](HypothesisId id, std::span<const Arrival> arrivals) {
+    f(id, arrivals);
+    return true;
+  });
+}
+
+void MapTree::for_each_while(
+    const std::function<bool(HypothesisId, std::span<const Arrival>)>& f) const {
   const ArmTable& table = growing_->table;
   growing_->tree.for_each_leaf(table.visits(),
                                [&](std::uint64_t leaf, std::span<const ArmIndex> named) {
-                                 if (!ids.empty() && ids.front() == HypothesisId(leaf)) {
-                                   f(ids.front(), table.arrivals(named));
-                                   ids = ids.subspan(1);
-                                 }
-                                 return !ids.empty();
+                                 return f(HypothesisId(leaf), table.arrivals(named));
+                               });
+}
+
+void MapTree::for_each_while(
+    std::span<const HypothesisId> ids,
+    const std::function<bool(HypothesisId, std::span<const Arrival>)>& f) const {
+  const ArmTable& table = growing_->table;
+  growing_->tree.for_each_leaf(table.visits(),
+                               [&](std::uint64_t leaf, std::span<const ArmIndex> named) {
+                                 if (ids.empty()) return false;
+                                 if (ids.front() != HypothesisId(leaf)) return true;
+                                 ids = ids.subspan(1);
+                                 return f(HypothesisId(leaf), table.arrivals(named));
                                });
 }
 

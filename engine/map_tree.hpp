@@ -95,6 +95,10 @@ class MapTree {
   /// The same for those of `ids`, which are in order.
   void for_each(std::span<const HypothesisId> ids,
                 const std::function<void(HypothesisId, std::span<const Arrival>)>& f) const;
+  /// Both, until f returns false.
+  void for_each_while(const std::function<bool(HypothesisId, std::span<const Arrival>)>& f) const;
+  void for_each_while(std::span<const HypothesisId> ids,
+                      const std::function<bool(HypothesisId, std::span<const Arrival>)>& f) const;
 
  private:
   class Growing;

@@ -2,6 +2,7 @@
 
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -18,10 +19,14 @@ def run(*arguments, stdin=None):
 
 def shown_in_readme(*subcommands):
     """The commands of these kinds that the README shows, each with what it prints."""
-    text = (SOURCE / "README.md").read_text()
+    return shown_in("README.md", *subcommands)
+
+
+def shown_in(page, *subcommands):
+    text = (SOURCE / page).read_text()
     shown = re.findall(r"(?m)^    \$ asterism (.*)\n((?:    (?!\$).*\n|\n(?=    (?!\$)))*)", text)
     return [
-        (command.split(), re.sub(r"(?m)^    ", "", output).rstrip())
+        (shlex.split(command), re.sub(r"(?m)^    ", "", output).rstrip())
         for command, output in shown
         if command.split()[0] in subcommands
     ]

@@ -1,0 +1,106 @@
+#include "cli/map_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/option_checks.hpp"
+
+namespace asterism {
+namespace {
+
+/// The trace, and which maps of it there are.
+void add_maps_of_trace(CLI::App& app, MapCommand& command) {
+  app.add_option("trace", command.trace, "Trace file (*.trace.json); -: stdin")->required();
+  app.add_flag("--planar", command.options.planar, "Keep only maps that can be drawn in the plane");
+  app.add_option("--check", command.options.check,
+                 "Who decides: native, the solver alone, or both compared at every candidate")
+      ->check(CLI::IsMember({"native", "solver", "both"}))
+      ->capture_default_str();
+  add_axiom_options(app, command.axioms);
+}
+
+void add_limits(CLI::App& app, MapOptions& options) {
+  app.add_option("--max-hypotheses", options.max_hypotheses,
+                 "Stop when a visit leaves more maps than this")
+      ->type_name("N")
+      ->check(whole_number);
+  app.add_option("--time-limit", options.time_limit_s, "Stop after this many seconds")
+      ->type_name("S")
+      ->check(seconds);
+}
+
+}  // namespace
+
+void add_axiom_options(CLI::App& app, AxiomOptions& options) {
+  app.add_option("--axioms", options.folder,
+                 "Folder of axioms (*.smt2) instead of the shipped ones")
+      ->type_name("DIR");
+  app.add_option("--axiom", options.optional,
+                 "Switch an optional axiom on; `asterism axioms` names them (repeatable)")
+      ->type_name("NAME")
+      ->take_all();
+}
+
+void add_map(CLI::App& app, MapCommand& command, std::function<int()>& chosen) {
+  CLI::App& map = *app.add_subcommand("map", "Find every map that explains a trace");
+  map.footer(R"(Examples:
+  asterism map examples/aces-stubs.trace.json --planar
+  asterism map drive.trace.json --svg drawings --json drive.maps.json
+  asterism map drive.trace.json --all --json - | jq .consistent
+  asterism map drive.trace.json --why-not 0,1,2,0
+Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a limit or Ctrl-C,
+64 usage, 65 bad input, 70 internal fault or a result that cannot be written.)");
+  MapOptions& options = command.options;
+  add_maps_of_trace(map, command);
+  map.add_option("--certify", options.certify_s,
+                 "Seconds the solver may take to certify the minimal models; 0: do not")
+      ->type_name("S")
+      ->check(seconds)
+      ->capture_default_str();
+  map.add_option("--json", command.json, "Write a maps file; -: alone on stdout")
+      ->type_name("FILE");
+  map.add_flag("--all", options.all, "List every map, not the minimal models alone");
+  map.add_option("--svg", command.svg_folder,
+                 "Draw each minimal model, and the number of maps a visit, into a folder")
+      ->type_name("DIR");
+  map.add_option("--export-smt2", command.smt2_folder,
+                 "Write the grounded problem of each map listed, for z3 or cvc5")
+      ->type_name("DIR");
+  CLI::Option& why_not =
+      *map.add_option(
+              "--why-not", command.why_not,
+              "Say why the last of these visits cannot be at the last of these places: the place "
+              "of each visit from the first, a new one having the next number")
+           ->type_name("PLACES")
+           ->check(whole_number)
+           ->delimiter(',');
+  add_limits(map, options);
+  for (const char* option : {"--json", "--all", "--svg", "--max-hypotheses", "--time-limit"})
+    why_not.excludes(map.get_option(option));
+  map.callback([&] { chosen = [&] { return map_command(command); }; });
+}
+
+void add_query(CLI::App& app, QueryCommand& command, std::function<int()>& chosen) {
+  CLI::App& query = *app.add_subcommand("query", "Ask every map that explains a trace");
+  query.footer(R"(Examples:
+  asterism query examples/aces-stubs.trace.json 'same(0,8)'
+  asterism query drive.trace.json 'same(3,9) and not on_path(0,4)' 'places < 9' --planar
+  asterism query drive.trace.json 'steps(0,12) <= 2' --over minimal --json - | jq .queries
+docs/queries.md has the grammar. A query is certain, possible or impossible: it holds in all maps,
+in some, or in none.
+Exit code: 0 all are certain or possible, 1 one is impossible or no map explains the trace,
+2 stopped by a limit or Ctrl-C, 64 usage or a text that is no query, 65 bad input or a visit that the
+trace does not have, 70 internal fault or a result that cannot be written.)");
+  add_maps_of_trace(query, command.map);
+  query.add_option("queries", command.queries, "Queries, each one argument")->required();
+  query
+      .add_option_function<std::string>(
+          "--over", [&](const std::string& which) { command.only_minimal = which == "minimal"; },
+          "Ask all maps, or the minimal models alone [all]")
+      ->check(CLI::IsMember({"all", "minimal"}));
+  query.add_option("--json", command.map.json, "Write the answers as JSON; -: alone on stdout")
+      ->type_name("FILE");
+  add_limits(query, command.map.options);
+  query.callback([&] { chosen = [&] { return query_command(command); }; });
+}
+
+}  // namespace asterism

@@ -1,0 +1,199 @@
+#include "engine/query.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ranges>
+
+#include "core/error.hpp"
+#include "engine/query_map.hpp"
+#include "engine/query_reader.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr std::uint64_t work_between_questions = 1 << 15;  ///< some tens of milliseconds
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+
+bool is_on(QueryMap& map, PlaceId place, PathId path) {
+  return std::ranges::count(map.places_of(path), place) > 0;
+}
+
+/// Calls f(path) for all paths, until it returns true.
+template <class F>
+bool any_path(QueryMap& map, F&& f) {
+  for (std::size_t path = 0; path < map.paths(); ++path)
+    if (f(PathId(path))) return true;
+  return false;
+}
+
+/// Whether one who goes along this row of places comes by the three, one after another.
+template <class Places>
+bool in_order(const Places& row, std::array<PlaceId, 3> wanted, std::size_t rounds) {
+  std::size_t next = 0;
+  for (std::size_t round = 0; round < rounds; ++round)
+    for (const PlaceId place : row)
+      if (place == wanted[next] && ++next == wanted.size()) return true;
+  return false;
+}
+
+bool in_order(QueryMap& map, std::array<PlaceId, 3> wanted) {
+  return any_path(map, [&](PathId path) {
+    const std::span<const PlaceId> row = map.places_of(path);
+    // Along a path that closes on itself one can go round for each.
+    const std::size_t rounds = map.is_closed(path) ? wanted.size() : 1;
+    return in_order(row, wanted, rounds) || in_order(std::views::reverse(row), wanted, rounds);
+  });
+}
+
+std::uint64_t value(const Claim::Number& number, QueryMap& map) {
+  return std::visit(Overloaded{[](std::uint64_t given) { return given; },
+                               [&](Claim::Count count) -> std::uint64_t {
+                                 return count == Claim::Count::places  ? map.places()
+                                        : count == Claim::Count::paths ? map.paths()
+                                                                       : map.segments();
+                               },
+                               [&](const Claim::Steps& steps) -> std::uint64_t {
+                                 return map.steps(map.place(steps.from), map.place(steps.to));
+                               }},
+                    number);
+}
+
+bool compare(std::uint64_t left, Claim::Relation relation, std::uint64_t right) {
+  switch (relation) {
+    case Claim::Relation::equal:
+      return left == right;
+    case Claim::Relation::not_equal:
+      return left != right;
+    case Claim::Relation::less:
+      return left < right;
+    case Claim::Relation::at_most:
+      return left <= right;
+    case Claim::Relation::greater:
+      return left > right;
+    case Claim::Relation::at_least:
+      return left >= right;
+  }
+  return false;
+}
+
+/// Whether a map comes before another in reports: by (visits, entered).
+bool is_before(std::span<const Arrival> one, std::span<const Arrival> other) {
+  for (const auto part : {true, false})
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      const auto order =
+          part ? one[k].place <=> other[k].place : one[k].entered <=> other[k].entered;
+      if (order != 0) return order < 0;
+    }
+  return false;
+}
+
+/// Asks one map after another.
+class Asking {
+ public:
+  Asking(const Trace& trace, std::span<const Query> queries)
+      : map_(trace), queries_(queries), answers_(queries.size()) {}
+
+  void operator()(std::span<const Arrival> arrivals) {
+    map_.set(arrivals);
+    for (std::size_t i = 0; i < queries_.size(); ++i) {
+      const bool is_so = holds(queries_[i].claim, map_);
+      Answer& answer = answers_[i];
+      answer.holds += is_so ? 1 : 0;
+      ++answer.of;
+      auto& first = is_so ? answer.witness : answer.counterexample;
+      if (!first)
+        first.emplace(arrivals.begin(), arrivals.end());
+      else if (is_before(arrivals, *first))
+        first->assign(arrivals.begin(), arrivals.end());
+    }
+  }
+  std::vector<Answer> answers() && { return std::move(answers_); }
+
+ private:
+  QueryMap map_;
+  std::span<const Query> queries_;
+  std::vector<Answer> answers_;
+};
+
+}  // namespace
+
+void require_visits(const Query& query, const Trace& trace) {
+  for (const auto& [visit, at, must_be_left] : query.mentions) {
+    const std::string where = character_of_query(query.text, at);
+    const std::string name = "visit " + std::to_string(visit.index());
+    const std::size_t visits = trace.visits.size();
+    if (visit.index() >= visits)
+      throw InputError(where, name,
+                       visits == 1 ? "0, the only one" : "0 to " + std::to_string(visits - 1));
+    if (must_be_left && !trace.visits[visit.index()].left_by)
+      throw InputError(where, name + ", of which the trace does not say how it was left",
+                       "one that was left");
+  }
+}
+
+bool holds(const Claim& claim, QueryMap& map) {
+  const auto in_map = [&](const Claim& part) { return holds(part, map); };
+  const auto place = [&](VisitId visit) { return map.place(visit); };
+  return std::visit(
+      Overloaded{
+          [&](const Claim::All& all) { return std::ranges::all_of(all.parts, in_map); },
+          [&](const Claim::Any& any) { return std::ranges::any_of(any.parts, in_map); },
+          [&](const Claim::Not& negation) { return !in_map(negation.part.front()); },
+          [&](const Claim::Same& same) { return place(same.one) == place(same.other); },
+          [&](const Claim::Adjacent& adjacent) {
+            return map.adjacent(place(adjacent.one), place(adjacent.other));
+          },
+          [&](const Claim::On& on) { return is_on(map, place(on.visit), map.path_of(on.path_of)); },
+          [&](const Claim::OnPath& on) {
+            return any_path(map, [&](PathId path) {
+              return is_on(map, place(on.one), path) && is_on(map, place(on.other), path);
+            });
+          },
+          [&](const Claim::Order& order) {
+            return in_order(map, {place(order.first), place(order.second), place(order.third)});
+          },
+          [&](const Claim::SamePath& same) {
+            return map.path_of(same.path_of) == map.path_of(same.other_path_of);
+          },
+          [&](const Claim::Comparison& comparison) {
+            return compare(value(comparison.left, map), comparison.relation,
+                           value(comparison.right, map));
+          }},
+      claim.is);
+}
+
+Modality Answer::modality() const {
+  if (holds == 0) return Modality::impossible;
+  return holds == of ? Modality::certain : Modality::possible;
+}
+
+std::optional<std::vector<Answer>> ask(const MapTree& tree, std::span<const Query> queries,
+                                       bool only_minimal,
+                                       const std::function<bool(std::uint64_t maps)>& go_on) {
+  for (const Query& query : queries) require_visits(query, tree.trace());
+  Asking asking(tree.trace(), queries);
+  std::uint64_t work_of_map = 0;
+  for (const Query& query : queries) work_of_map += 1 + query.mentions.size();
+  std::uint64_t maps = 0;
+  std::uint64_t work = 0;
+  bool stopped = false;
+  const auto ask_map = [&](HypothesisId, std::span<const Arrival> arrivals) {
+    asking(arrivals);
+    ++maps;
+    work += work_of_map;
+    if (work >= work_between_questions) {
+      work = 0;
+      stopped = go_on && !go_on(maps);
+    }
+    return !stopped;
+  };
+  only_minimal ? tree.for_each_while(tree.minimal(), ask_map) : tree.for_each_while(ask_map);
+  if (stopped) return std::nullopt;
+  return std::move(asking).answers();
+}
+
+}  // namespace asterism

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "engine/query.hpp"
+
+namespace asterism {
+
+/// The text of a query is not one.
+class QueryError : public InputError {
+ public:
+  QueryError(std::string_view text, std::size_t at, const std::string& found,
+             const std::string& expected);
+
+  /// Two lines: the query, or the part of a long one that matters, and a caret below the character.
+  const std::string& excerpt() const { return excerpt_; }
+
+ private:
+  std::string excerpt_;
+};
+
+inline constexpr std::size_t max_query_length = 4096;  ///< bytes
+inline constexpr std::size_t max_query_depth = 100;    ///< parentheses and "not" in one another
+
+/// Reads 'same(3,9) and not on_path(0,4)': the grammar is in docs/queries.md.
+/// @throws QueryError  "query, character 8: found ...; expected ..."
+Query read_query(std::string_view text);
+
+/// Where a byte of a query stands, as messages say it: "query, character 8", counted from 1.
+std::string character_of_query(std::string_view text, std::size_t at);
+
+}  // namespace asterism

@@ -1,0 +1,204 @@
+"""Asks maps on the command line: query_test.py PROGRAM SOURCE_FOLDER [unittest options]."""
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+from program import PROGRAM, SOURCE, Folder, run, shown_in, shown_in_readme
+
+TRACES = SOURCE / "tests/traces"
+ACES = TRACES / "aces-stubs.trace.json"
+
+
+def answers(*arguments):
+    done = run("query", *arguments, "--json", "-")
+    return done.returncode, json.loads(done.stdout)
+
+
+class Answers(Folder):
+    def test_agree_with_all_maps_listed(self):
+        for planar in ([], ["--planar"]):
+            for trace in ("aces-stubs", "grid-3x3", "eight-crossings"):
+                file = TRACES / f"{trace}.trace.json"
+                listed = json.loads(run("map", file, "--all", "--json", "-", *planar).stdout)["maps"]
+                pairs = [(i, j) for i in range(8) for j in range(i, 12)]
+                code, found = answers(file, *planar, *(f"same({i}, {j})" for i, j in pairs))
+                self.assertEqual(len(found["queries"]), len(pairs))
+                for (i, j), answer in zip(pairs, found["queries"]):
+                    with self.subTest(trace=trace, planar=planar, i=i, j=j):
+                        holds = [m for m in listed if m["visits"][i] == m["visits"][j]]
+                        fails = [m for m in listed if m["visits"][i] != m["visits"][j]]
+                        verdict = ("impossible" if not holds else "possible" if fails else "certain")
+                        self.assertEqual(
+                            (answer["verdict"], answer["holds"], answer["of"]),
+                            (verdict, len(holds), len(listed)))
+                        for key, maps in (("witness", holds), ("counterexample", fails)):
+                            first = maps and {k: maps[0][k] for k in ("visits", "entered")}
+                            self.assertEqual(answer[key], first or None)
+                verdicts = {answer["verdict"] for answer in found["queries"]}
+                self.assertEqual(code, 1 if "impossible" in verdicts else 0)
+
+    def test_over_minimal_models(self):
+        code, found = answers(ACES, "--over", "minimal", "paths = 6 and places = 9", "same(2, 14)")
+        self.assertEqual((code, found["options"]["over"], found["consistent"]), (0, "minimal", 107))
+        certain, possible = found["queries"]
+        self.assertEqual((certain["verdict"], certain["of"]), ("certain", 6))
+        self.assertIsNone(certain["counterexample"])
+        self.assertEqual((possible["verdict"], possible["of"]), ("possible", 6))
+
+    def test_checks_and_axioms_of_maps_count(self):
+        for check in ("native", "solver", "both"):
+            _, found = answers(ACES, "--planar", "same(0, 8)", "--check", check)
+            self.assertEqual(found["options"].pop("check"), check)
+            self.assertEqual(found["queries"], answers(ACES, "--planar", "same(0, 8)")[1]["queries"])
+        eight = TRACES / "eight-crossings.trace.json"
+        _, found = answers(eight, "same(0, 0)", "--axiom", "one_segment")
+        self.assertEqual(found["queries"][0]["of"], 77)
+        folder = self.folder / "axioms"
+        shutil.copytree(SOURCE / "axioms", folder, ignore=shutil.ignore_patterns("*.?pp"))
+        topological = folder / "topological.smt2"
+        text = topological.read_text()
+        topological.write_text(text[:text.index("(assert (! (forall ((q DState) (r DState) (s DState))")])
+        refused = run("query", eight, "same(0, 0)", "--axioms", folder)
+        self.assertEqual((refused.returncode, refused.stdout), (65, ""))
+        _, found = answers(eight, "same(0, 0)", "--axioms", folder, "--check", "solver")
+        self.assertEqual(found["queries"][0]["of"], 92)
+
+    def test_exit_codes(self):
+        self.assertEqual(run("query", ACES, "same(0, 8)", "same(0, 0)").returncode, 0)
+        self.assertEqual(run("query", ACES, "same(0, 8)", "same(0, 1)").returncode, 1)
+
+    def test_no_map(self):
+        dead_end = {"star": "a+1 a-0", "left_by": "a+"}
+        crossing = {"star": "a+1 b+1 a-1 b-1", "entered_by": "a+", "left_by": "a+"}
+        file = self.file("no.trace.json", json.dumps(
+            {"format": "asterism/trace", "version": 1, "name": "no",
+             "visits": [dead_end, crossing, crossing]}))
+        done = run("query", file, "same(0, 0)")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stdout, "same(0, 0): impossible, in 0 of 0 maps\n"
+                         "no map explains the trace: none is left after visit 2\n")
+        code, found = answers(file, "same(0, 0)")
+        self.assertEqual((code, found["consistent"], found["complete"]), (1, 0, True))
+
+    def test_same_bytes_and_both_outputs(self):
+        file = self.folder / "answers.json"
+        first = run("query", ACES, "places = 9", "--json", "-").stdout
+        text = run("query", ACES, "places = 9", "--json", file).stdout
+        self.assertEqual(file.read_text(), first)
+        self.assertEqual(text, run("query", ACES, "places = 9").stdout)
+        self.assertRegex(text, r"^places = 9: possible, in 6 of 107 maps\n  it holds [^\n]*\n  it fails ")
+
+    def test_a_query_of_two_lines_is_shown_in_one(self):
+        done = run("query", ACES, "same(0, 0)\n\tand same(1, 1)")
+        self.assertEqual(done.stdout, "same(0, 0)  and same(1, 1): certain, in 107 of 107 maps\n")
+
+    def test_a_trace_from_stdin(self):
+        done = run("query", "-", "same(0, 0)", stdin=ACES.read_text())
+        self.assertEqual(done.stdout, "same(0, 0): certain, in 107 of 107 maps\n")
+
+
+class Limits(Folder):
+    def setUp(self):
+        super().setUp()
+        self.big = self.folder / "big.trace.json"
+        made = run("simulate", "--seed", "8", "--travels", "60", "--missing", "0", "-o", self.big)
+        self.assertEqual(made.returncode, 0)
+
+    def test_undecided(self):
+        for limit in (["--max-hypotheses", "1000"], ["--time-limit", "0"]):
+            with self.subTest(limit=limit):
+                code, found = answers(self.big, "same(0, 1)", "places > 1", *limit)
+                self.assertEqual((code, found["complete"], found["consistent"]), (2, False, None))
+                self.assertTrue(found["stopped_by"])
+                for answer in found["queries"]:
+                    self.assertEqual(answer.pop("verdict"), "undecided")
+                    self.assertTrue(answer.pop("query"))
+                    self.assertEqual(set(answer.values()), {None})
+        done = run("query", self.big, "same(0, 1)", "--max-hypotheses", "1000")
+        self.assertEqual(done.stdout,
+                         "same(0, 1): undecided, stopped by limit of 1000 hypotheses\n")
+
+    def test_a_limit_that_is_not_reached_changes_nothing(self):
+        limits = ["--max-hypotheses", "107", "--time-limit", "1000"]
+        self.assertEqual(run("query", ACES, "places < 10", *limits).stdout,
+                         run("query", ACES, "places < 10").stdout)
+
+
+class BadInput(Folder):
+    def refused(self, code, *arguments):
+        done = run("query", *arguments)
+        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
+        return done.stderr
+
+    def test_a_text_that_is_no_query(self):
+        # Told before the trace is read, and nothing is written.
+        out = self.folder / "out.json"
+        message = self.refused(64, self.folder / "missing.trace.json", "same(3)", "--json", out)
+        self.assertEqual(message, "asterism: query, character 7: found ')'; expected ','\n"
+                         "same(3)\n      ^\n")
+        self.assertFalse(out.exists())
+        corpus = SOURCE / "tests/corpus/query"
+        for row in (corpus / "bad.tsv").read_text().splitlines()[1:]:
+            name, wanted = row.split("\t")
+            text = (corpus / "bad" / name).read_bytes().decode()
+            if "\0" in text:
+                continue
+            with self.subTest(name=name):
+                first, _, excerpt = self.refused(64, ACES, text).partition("\n")
+                self.assertEqual(first, f"asterism: query, character {wanted}")
+                self.assertRegex(excerpt, r"^[^\n]*\n *\^\n$")
+
+    def test_a_visit_that_is_not_there(self):
+        message = self.refused(65, ACES, "same(0, 15)")
+        self.assertEqual(message, "asterism: query, character 9: found visit 15; expected 0 to 14\n")
+        self.assertIn("how it was left", self.refused(65, ACES, "on(0, path_of(14))"))
+
+    def test_files_and_usage(self):
+        self.refused(65, self.folder / "missing.trace.json", "same(0, 1)")
+        self.refused(65, ACES, "same(0, 1)", "--axiom", "no_such")
+        for arguments in ([], [ACES], [ACES, "same(0, 1)", "--over", "some"],
+                          [ACES, "same(0, 1)", "--max-hypotheses", "-1"],
+                          [ACES, "same(0, 1)", "--time-limit", "x"], [ACES, "same(0, 1)", "--all"]):
+            with self.subTest(arguments=arguments):
+                self.assertRegex(self.refused(64, *arguments), r"^asterism: [^\n]+\n$")
+
+    def test_a_result_that_got_lost(self):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([PROGRAM, "query", ACES, "same(0, 1)"], stdout=full,
+                                  stderr=subprocess.PIPE, text=True, timeout=300)
+        self.assertEqual(done.returncode, 70)
+
+
+class Docs(unittest.TestCase):
+    def check(self, shown, at_least):
+        self.assertGreaterEqual(len(shown), at_least)
+        for command, output in shown:
+            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
+                                  timeout=300)
+            self.assertEqual((done.stdout + done.stderr).rstrip(), output, command)
+
+    def test_what_they_show_is_what_comes_out(self):
+        self.check(shown_in("docs/queries.md", "query"), 3)
+        self.check(shown_in_readme("query"), 1)
+
+    def test_every_word_of_the_grammar_is_read(self):
+        page = (SOURCE / "docs/queries.md").read_text()
+        rows = re.findall(r"(?m)^\| `(.*?)` \|", page)
+        queries = [query for row in rows for query in row.split("`, `")]
+        self.assertGreaterEqual(len(queries), 10)
+        for query in queries:
+            text = re.sub(r"\b([ijk])\b", lambda m: str("ijk".index(m[1])), query)
+            self.assertIn(run("query", ACES, text).returncode, (0, 1), text)
+
+    def test_help_has_examples(self):
+        done = run("query", "--help")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"Examples:\s+asterism query")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

@@ -1,0 +1,38 @@
+#include "engine/map_tree.hpp"
+#include "engine/query_reader.hpp"
+#include "tests/support/fuzz.hpp"
+
+namespace {
+
+using namespace asterism;
+
+/// All maps of five visits to crossings, which look alike.
+const MapTree& crossings() {
+  static const MapTree tree = [] {
+    const Star crossing = Star::parse("a+1 b+1 a-1 b-1");
+    MapTree result;
+    for (const std::size_t left : {0U, 1U, 3U, 0U, 3U})
+      static_cast<void>(result.extend({.star = crossing, .entered_by = 2, .left_by = left}));
+    return result;
+  }();
+  return tree;
+}
+
+Answer answer_to(const Query& query) { return ask(crossings(), {&query, 1}, false)->front(); }
+
+}  // namespace
+
+/// Any bytes are a query or refused. A query names visits that are there, or is refused then; its
+/// opposite holds where it does not.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text = fuzz_input(data, size);
+  const auto query = accepted("query, character ", [&] { return read_query(text); });
+  if (!query) return 0;
+  const auto answer = accepted("query, character ", [&] { return answer_to(*query); });
+  const auto opposite =
+      accepted("query, character ", [&] { return read_query("not (" + text + ")"); });
+  if (!answer || !opposite) return 0;  // it may be too long or too deep
+  require(answer->of == crossings().size());
+  require(answer_to(*opposite).holds == answer->of - answer->holds);
+  return 0;
+}
