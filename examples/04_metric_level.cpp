@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   };
   Ranking ranking(trace, as_before, {.models = 3});
   for (const auto& equally_preferred : tree.by_preference()) {
-    ranking.add([&](const auto& rank) {
+    ranking.add([&tree, equally_preferred](const auto& rank) {
       tree.for_each(equally_preferred,
                     [&](HypothesisId, std::span<const Arrival> map) { rank(map); });
     });

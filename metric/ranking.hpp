@@ -40,7 +40,8 @@ class Ranking {
   /// What a class of hypotheses is: calls its argument with each, in the order of the tree.
   using Hypotheses = std::function<void(const std::function<void(std::span<const Arrival>)>&)>;
 
-  /// Takes the hypotheses of the next preference. Once it is settled there is no need to.
+  /// Takes the hypotheses of the next preference, and keeps them: best() may ask for them again.
+  /// Once it is settled there is no need to.
   void add(Hypotheses preferred_next);
   /// As many plausible ones as are reported are known: none of the hypotheses to come is among
   /// them.
