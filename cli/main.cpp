@@ -8,6 +8,7 @@
 #include "cli/map_options.hpp"
 #include "cli/option_checks.hpp"
 #include "cli/options.hpp"
+#include "cli/reasoning_options.hpp"
 #include "core/error.hpp"
 #include "engine/map_tree.hpp"
 #include "engine/query_reader.hpp"

@@ -5,9 +5,6 @@
 #include "cli/option_checks.hpp"
 
 namespace asterism {
-namespace {
-
-/// The trace, and which maps of it there are.
 void add_maps_of_trace(CLI::App& app, MapCommand& command) {
   app.add_option("trace", command.trace, "Trace file (*.trace.json); -: stdin")->required();
   app.add_flag("--planar", command.options.planar, "Keep only maps that can be drawn in the plane");
@@ -27,8 +24,6 @@ void add_limits(CLI::App& app, MapOptions& options) {
       ->type_name("S")
       ->check(seconds);
 }
-
-}  // namespace
 
 void add_axiom_options(CLI::App& app, AxiomOptions& options) {
   app.add_option("--axioms", options.folder,
@@ -77,30 +72,6 @@ Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a
   for (const char* option : {"--json", "--all", "--svg", "--max-hypotheses", "--time-limit"})
     why_not.excludes(map.get_option(option));
   map.callback([&] { chosen = [&] { return map_command(command); }; });
-}
-
-void add_query(CLI::App& app, QueryCommand& command, std::function<int()>& chosen) {
-  CLI::App& query = *app.add_subcommand("query", "Ask every map that explains a trace");
-  query.footer(R"(Examples:
-  asterism query examples/aces-stubs.trace.json 'same(0,8)'
-  asterism query drive.trace.json 'same(3,9) and not on_path(0,4)' 'places < 9' --planar
-  asterism query drive.trace.json 'steps(0,12) <= 2' --over minimal --json - | jq .queries
-docs/queries.md has the grammar. A query is certain, possible or impossible: it holds in all maps,
-in some, or in none.
-Exit code: 0 all are certain or possible, 1 one is impossible or no map explains the trace,
-2 stopped by a limit or Ctrl-C, 64 usage or a text that is no query, 65 bad input or a visit that the
-trace does not have, 70 internal fault or a result that cannot be written.)");
-  add_maps_of_trace(query, command.map);
-  query.add_option("queries", command.queries, "Queries, each one argument")->required();
-  query
-      .add_option_function<std::string>(
-          "--over", [&](const std::string& which) { command.only_minimal = which == "minimal"; },
-          "Ask all maps, or the minimal models alone [all]")
-      ->check(CLI::IsMember({"all", "minimal"}));
-  query.add_option("--json", command.map.json, "Write the answers as JSON; -: alone on stdout")
-      ->type_name("FILE");
-  add_limits(query, command.map.options);
-  query.callback([&] { chosen = [&] { return query_command(command); }; });
 }
 
 }  // namespace asterism

@@ -10,11 +10,14 @@ class App;
 
 namespace asterism {
 
-// Subcommands about the maps of a trace: their arguments are read into `command`, and where one is
-// chosen, so is what runs it.
-
 void add_axiom_options(CLI::App& app, AxiomOptions& options);
+/// The trace, and which maps of it there are.
+void add_maps_of_trace(CLI::App& app, MapCommand& command);
+/// When to stop.
+void add_limits(CLI::App& app, MapOptions& options);
+
+/// `asterism map`: its arguments are read into `command`, and where it is chosen, so is what runs
+/// it.
 void add_map(CLI::App& app, MapCommand& command, std::function<int()>& chosen);
-void add_query(CLI::App& app, QueryCommand& command, std::function<int()>& chosen);
 
 }  // namespace asterism
