@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/association.hpp"
+#include "engine/query.hpp"
+
+namespace asterism {
+
+/// Claims about maps as formulas over a data association that is left to the solver.
+///
+/// A statement about visits that are not told of is free: it may hold or not. Paths are counted by
+/// the closed form, which needs the axioms irreflexive and transitive.                [DESIGN §6]
+class ClaimCircuit {
+ public:
+  ClaimCircuit(Association& association, z3::solver& solver)
+      : association_(association), solver_(solver) {}
+
+  z3::expr formula(const Claim& claim);
+
+ private:
+  using OwnArm = Association::OwnArm;
+  using Reached = std::vector<z3::expr>;  ///< of each travel, forwards, then backwards
+
+  std::size_t visits() const { return association_.table().visits(); }
+  z3::expr any(const std::vector<z3::expr>& parts) const;
+  z3::expr free_unless_told(const std::vector<VisitId>& visits, const z3::expr& statement);
+
+  z3::expr adjacent(std::size_t i, std::size_t j);
+  std::vector<z3::expr> within_steps(std::size_t from, std::size_t steps);
+  z3::expr is_at_least(const Claim::Number& number, std::uint64_t bound);
+  std::uint64_t most(const Claim::Number& number) const;
+  z3::expr is_less(const Claim::Number& one, const Claim::Number& other);
+  z3::expr comparison(const Claim::Comparison& comparison);
+
+  OwnArm left_end(std::size_t travel) const;
+  OwnArm entered_end(std::size_t travel) const;
+  OwnArm opposite(OwnArm own) const;
+  OwnArm from(std::size_t node) const;
+  OwnArm to(std::size_t node) const;
+  Reached along(OwnArm start);
+  z3::expr comes_by(const Reached& reached, std::size_t visit);
+  z3::expr on(std::size_t visit, std::size_t path_of);
+  z3::expr on_path(std::size_t i, std::size_t j);
+  z3::expr order(std::size_t i, std::size_t j, std::size_t k);
+  z3::expr same_path(std::size_t i, std::size_t j);
+
+  Association& association_;
+  z3::solver& solver_;
+  std::size_t statements_ = 0;
+};
+
+}  // namespace asterism
