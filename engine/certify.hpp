@@ -19,12 +19,7 @@ enum class Certificate {
 /// (planar) map strictly preferred to these", data association left free, is unsatisfiable. [DESIGN
 /// §8]
 ///
-/// The second is a search of its own: at(k, a) says that visit k came in by arm a of a place seen
-/// before, or, with a of its own star, that the place is new; exactly one holds for each k. The
-/// extents of paths, places and segments are sums over these; a preferred map has smaller ones.
-/// While there is a solution, the axioms are grounded on the map it stands for and the instances
-/// added; a map that stands all of them and is not planar, where it must be, is ruled out by its
-/// shortest prefix that is not. No star matching and no tree takes part.
+/// The second is put to a MapProblem: no star matching and no tree takes part.
 ///
 /// @param models   data associations of the minimal models; at least one
 /// @param seconds  time for all of it

@@ -1,6 +1,7 @@
 #include "engine/claim_circuit.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace asterism {
 namespace {
@@ -21,6 +22,14 @@ z3::expr ClaimCircuit::any(const std::vector<z3::expr>& parts) const {
   z3::expr_vector list(association_.context());
   for (const z3::expr& part : parts) list.push_back(part);
   return z3::mk_or(list);
+}
+
+/// A name for a formula, so that what is built on it stays small.
+z3::expr ClaimCircuit::named(const z3::expr& formula) {
+  const z3::expr name =
+      association_.context().bool_const(("part_" + std::to_string(names_++)).c_str());
+  solver_.add(name == formula);
+  return name;
 }
 
 z3::expr ClaimCircuit::free_unless_told(const std::vector<VisitId>& visits,
@@ -145,27 +154,36 @@ ClaimCircuit::OwnArm ClaimCircuit::to(std::size_t node) const {
   return node < travels ? entered_end(node + 1) : left_end(node - travels + 1);
 }
 
-/// The travels, each in a direction, that one goes along who leaves by this arm and stays on the
-/// path.
-ClaimCircuit::Reached ClaimCircuit::along(OwnArm start) {
+/// Of each travel in a direction, those that one comes out of who goes straight on into it.
+const std::vector<std::vector<ClaimCircuit::Before>>& ClaimCircuit::before() {
+  const std::size_t nodes = 2 * (visits() - 1);
+  for (std::size_t b = before_.size(); b < nodes; ++b) {
+    before_.emplace_back();
+    for (std::size_t a = 0; a < nodes; ++a) {
+      const z3::expr meet = association_.coincide(opposite(to(a)), from(b));
+      if (!meet.is_false())
+        before_[b].push_back({a, named(meet && association_.told(to(b).visit))});
+    }
+  }
+  return before_;
+}
+
+/// The travels, each in a direction, that one goes along who leaves by one of these arms and stays
+/// on its path.
+ClaimCircuit::Reached ClaimCircuit::along(std::span<const OwnArm> starts) {
   const std::size_t nodes = 2 * (visits() - 1);
   Reached reached;
-  for (std::size_t node = 0; node < nodes; ++node)
-    reached.push_back(association_.coincide(start, from(node)) &&
-                      association_.told(to(node).visit));
-  // follows[a][b]: who comes out of a goes into b.
-  std::vector<std::vector<z3::expr>> follows(nodes);
-  for (std::size_t a = 0; a < nodes; ++a)
-    for (std::size_t b = 0; b < nodes; ++b)
-      follows[a].push_back(association_.coincide(opposite(to(a)), from(b)) &&
-                           association_.told(to(b).visit));
+  for (std::size_t node = 0; node < nodes; ++node) {
+    std::vector<z3::expr> ways;
+    for (const OwnArm start : starts) ways.push_back(association_.coincide(start, from(node)));
+    reached.push_back(any(ways) && association_.told(to(node).visit));
+  }
   for (std::size_t step = 1; step + 1 < visits(); ++step) {
-    Reached further = reached;
-    for (std::size_t b = 0; b < nodes; ++b) {
-      std::vector<z3::expr> ways{reached[b]};
-      for (std::size_t a = 0; a < nodes; ++a)
-        if (!follows[a][b].is_false()) ways.push_back(reached[a] && follows[a][b]);
-      further[b] = any(ways);
+    Reached further;
+    for (std::size_t node = 0; node < nodes; ++node) {
+      std::vector<z3::expr> ways{reached[node]};
+      for (const auto& [other, meet] : before()[node]) ways.push_back(reached[other] && meet);
+      further.push_back(named(any(ways)));
     }
     reached = std::move(further);
   }
@@ -181,21 +199,24 @@ z3::expr ClaimCircuit::comes_by(const Reached& reached, std::size_t visit) {
 
 z3::expr ClaimCircuit::on(std::size_t visit, std::size_t path_of) {
   const OwnArm left{path_of, *association_.table().trace().visits[path_of].left_by};
-  return association_.same(visit, path_of) || comes_by(along(left), visit) ||
-         comes_by(along(opposite(left)), visit);
+  return association_.same(visit, path_of) ||
+         comes_by(along(std::array{left, opposite(left)}), visit);
 }
 
 z3::expr ClaimCircuit::on_path(std::size_t i, std::size_t j) {
-  std::vector<z3::expr> ways{association_.same(i, j)};
+  std::vector<OwnArm> arms;
   for (std::size_t arm = 0; arm < association_.table().star_size(i); ++arm)
-    ways.push_back(comes_by(along({i, arm}), j));
-  return any(ways);
+    arms.push_back({i, arm});
+  return association_.same(i, j) || comes_by(along(arms), j);
 }
 
 z3::expr ClaimCircuit::order(std::size_t i, std::size_t j, std::size_t k) {
-  std::vector<z3::expr> ways;
+  std::vector<Reached> reached;
   for (std::size_t arm = 0; arm < association_.table().star_size(j); ++arm)
-    ways.push_back(comes_by(along({j, arm}), i) && comes_by(along(opposite({j, arm})), k));
+    reached.push_back(along(std::array{OwnArm{j, arm}}));
+  std::vector<z3::expr> ways;
+  for (std::size_t arm = 0; arm < reached.size(); ++arm)
+    ways.push_back(comes_by(reached[arm], i) && comes_by(reached[opposite({j, arm}).arm], k));
   return any(ways);
 }
 
@@ -207,11 +228,9 @@ z3::expr ClaimCircuit::same_path(std::size_t i, std::size_t j) {
     return association_.coincide(left(i), arm) || association_.coincide(left(i), opposite(arm));
   };
   std::vector<z3::expr> ways{is_along(left(j))};
-  for (const OwnArm start : {left(j), opposite(left(j))}) {
-    const Reached reached = along(start);
-    for (std::size_t node = 0; node < reached.size(); ++node)
-      ways.push_back(reached[node] && is_along(to(node)));
-  }
+  const Reached reached = along(std::array{left(j), opposite(left(j))});
+  for (std::size_t node = 0; node < reached.size(); ++node)
+    ways.push_back(reached[node] && is_along(to(node)));
   return any(ways);
 }
 

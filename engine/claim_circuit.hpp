@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/association.hpp"
@@ -20,10 +21,15 @@ class ClaimCircuit {
 
  private:
   using OwnArm = Association::OwnArm;
+  struct Before {
+    std::size_t travel;
+    z3::expr meet;  ///< it leads to where this one begins
+  };
   using Reached = std::vector<z3::expr>;  ///< of each travel, forwards, then backwards
 
   std::size_t visits() const { return association_.table().visits(); }
   z3::expr any(const std::vector<z3::expr>& parts) const;
+  z3::expr named(const z3::expr& formula);
   z3::expr free_unless_told(const std::vector<VisitId>& visits, const z3::expr& statement);
 
   z3::expr adjacent(std::size_t i, std::size_t j);
@@ -38,7 +44,8 @@ class ClaimCircuit {
   OwnArm opposite(OwnArm own) const;
   OwnArm from(std::size_t node) const;
   OwnArm to(std::size_t node) const;
-  Reached along(OwnArm start);
+  const std::vector<std::vector<Before>>& before();
+  Reached along(std::span<const OwnArm> starts);
   z3::expr comes_by(const Reached& reached, std::size_t visit);
   z3::expr on(std::size_t visit, std::size_t path_of);
   z3::expr on_path(std::size_t i, std::size_t j);
@@ -48,6 +55,8 @@ class ClaimCircuit {
   Association& association_;
   z3::solver& solver_;
   std::size_t statements_ = 0;
+  std::size_t names_ = 0;
+  std::vector<std::vector<Before>> before_;
 };
 
 }  // namespace asterism

@@ -1,0 +1,182 @@
+#include "engine/explanation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <set>
+
+#include "core/error.hpp"
+#include "planarity/euler.hpp"
+
+namespace asterism {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Premises in the order in which they are tried to be spared.
+std::vector<Premise> by_importance(std::vector<Premise> premises) {
+  const auto group = [](const Premise& premise) {
+    switch (premise.kind) {
+      case Premise::Kind::claim:
+        return 0;
+      case Premise::Kind::planarity:
+        return 1;
+      case Premise::Kind::visit:
+        return 2;
+      case Premise::Kind::axiom:
+        break;
+    }
+    return 3;
+  };
+  std::ranges::sort(premises, [&](const Premise& one, const Premise& other) {
+    if (group(one) != group(other)) return group(one) < group(other);
+    return one.kind == Premise::Kind::visit ? one < other : other < one;
+  });
+  return premises;
+}
+
+std::vector<Premise> without(const std::vector<Premise>& premises, const Premise& spared) {
+  std::vector<Premise> result = premises;
+  std::erase(result, spared);
+  return result;
+}
+
+/// Drops premises one by one as long as the rest cannot be; nothing when out of time.
+std::optional<std::vector<Premise>> minimise(MapProblem& problem, std::vector<Premise> premises) {
+  for (const Premise& candidate : by_importance(premises)) {
+    if (std::ranges::find(premises, candidate) == premises.end()) continue;
+    // What is needed beside more premises is needed beside fewer, too.
+    switch (problem.check(without(premises, candidate))) {
+      case Verdict::undecided:
+        return std::nullopt;
+      case Verdict::consistent:
+        break;
+      case Verdict::inconsistent:
+        premises.assign(problem.core().begin(), problem.core().end());
+        break;
+    }
+  }
+  return premises;
+}
+
+/// Checks, by a solver that knows nothing yet, that the premises cannot all be and that none can be
+/// spared; nothing when out of time.
+std::optional<std::vector<Explanation::Member>> confirm(MapProblem& fresh,
+                                                        const std::vector<Premise>& premises) {
+  const auto decided = [](Verdict verdict, Verdict expected) {
+    if (verdict != expected && verdict != Verdict::undecided)
+      throw SolverError("z3: an explanation did not stand a second check");
+    return verdict == expected;
+  };
+  if (!decided(fresh.check(premises), Verdict::inconsistent)) return std::nullopt;
+  std::vector<Explanation::Member> members;
+  for (const Premise& premise : premises) {
+    if (!decided(fresh.check(without(premises, premise)), Verdict::consistent)) return std::nullopt;
+    members.push_back({premise, fresh.map()});
+  }
+  return members;
+}
+
+/// A sketch of the map: places and segments, as far as told of.
+struct Sketch {
+  TopologicalMap map;
+  std::optional<TopologicalMap::Segment> last;  ///< travelled last, if there was none there yet
+};
+
+Sketch sketch_of(const Trace& trace, std::span<const std::optional<Arrival>> map) {
+  Sketch sketch;
+  std::set<TopologicalMap::Segment> segments;
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    sketch.last.reset();
+    if (!map[k]) continue;
+    if (map[k]->place.index() == sketch.map.places.size())
+      sketch.map.places.push_back({trace.visits[k].star, VisitId(k)});
+    if (k == 0 || !map[k - 1]) continue;
+    const Visit& before = trace.visits[k - 1];
+    const Star& star = sketch.map.places[map[k - 1]->place.index()].star;
+    const std::size_t left =
+        map[k - 1]->entered ? left_arm(before, star, *map[k - 1]->entered) : *before.left_by;
+    const PlaceArm from{map[k - 1]->place, left};
+    const PlaceArm to{map[k]->place, *map[k]->entered};
+    if (segments.insert(std::minmax(from, to)).second) sketch.last = {from, to};
+  }
+  sketch.map.segments.assign(segments.begin(), segments.end());
+  return sketch;
+}
+
+/// The face that a gateway without a segment opens into.
+std::vector<PlaceArm> face_of(const TopologicalMap& map, PlaceArm open) {
+  const Star& star = map.places[open.place.index()].star;
+  for (std::size_t steps = 1; steps < star.size(); ++steps) {
+    const PlaceArm next{open.place, star.clockwise(open.arm, steps)};
+    for (const auto& face : faces(map))
+      if (std::ranges::find(face, next) != face.end()) return face;
+  }
+  return {};
+}
+
+/// The border of a face without what it passes on both sides: closed ways, as rows of places.
+std::vector<std::vector<PlaceId>> loops_of(const TopologicalMap& map,
+                                           const std::vector<PlaceArm>& face) {
+  std::map<PlaceArm, PlaceArm> linked;
+  for (const auto& [one, other] : map.segments) {
+    linked.emplace(one, other);
+    linked.emplace(other, one);
+  }
+  std::vector<std::vector<PlaceId>> loops;
+  std::vector<PlaceId> way;
+  for (const PlaceArm& gateway : face) {
+    if (std::ranges::find(face, linked.at(gateway)) != face.end()) continue;
+    way.push_back(gateway.place);
+    // A place met again closes a loop.
+    const PlaceId next = linked.at(gateway).place;
+    const auto begin = std::ranges::find(way, next);
+    if (begin == way.end()) continue;
+    loops.emplace_back(begin, way.end());
+    way.erase(begin, way.end());
+  }
+  return loops;
+}
+
+}  // namespace
+
+std::optional<Crossing> find_crossing(const Trace& trace, const PartialMap& map) {
+  for (std::size_t k = 1; k < map.size(); ++k) {
+    const Sketch sketch = sketch_of(trace, std::span(map).first(k + 1));
+    if (is_planar(sketch.map)) continue;
+    const auto [left, entered] = sketch.last.value();
+    const TopologicalMap before = sketch_of(trace, std::span(map).first(k)).map;
+    const std::vector<PlaceArm> face = face_of(before, left);
+    return Crossing{VisitId(k), left, entered, face, loops_of(before, face)};
+  }
+  return std::nullopt;
+}
+
+Reason explain(const Trace& trace, const AxiomSet& axioms, bool planar,
+               std::span<const Claim> claims, double seconds) {
+  const auto begun = Clock::now();
+  const auto seconds_left = [&] {
+    return seconds - std::chrono::duration<double>(Clock::now() - begun).count();
+  };
+  MapProblem problem(trace, axioms, seconds);
+  std::vector<Premise> premises = problem.premises(planar);
+  for (const Claim& claim : claims) premises.push_back(problem.add(claim));
+  const Verdict verdict = problem.check(premises);
+  if (verdict == Verdict::consistent) return {verdict, problem.map(), {}};
+  if (verdict == Verdict::undecided) return {verdict, {}, {}};
+
+  const auto core = minimise(problem, std::move(premises));
+  if (!core) return {Verdict::undecided, {}, {}};
+
+  MapProblem fresh(trace, axioms, seconds_left());
+  for (const Claim& claim : claims) fresh.add(claim);
+  auto members = confirm(fresh, *core);
+  if (!members) return {Verdict::undecided, {}, {}};
+  Explanation explanation{std::move(*members), std::nullopt};
+  for (const Explanation::Member& member : explanation.members)
+    if (member.premise.kind == Premise::Kind::planarity)
+      explanation.crossing = find_crossing(trace, member.without);
+  return {verdict, {}, std::move(explanation)};
+}
+
+}  // namespace asterism
