@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/association.hpp"
+#include "engine/free_association.hpp"
 #include "engine/query.hpp"
 
 namespace asterism {
@@ -14,13 +14,13 @@ namespace asterism {
 /// the closed form, which needs the axioms irreflexive and transitive.                [DESIGN §6]
 class ClaimCircuit {
  public:
-  ClaimCircuit(Association& association, z3::solver& solver)
+  ClaimCircuit(FreeAssociation& association, z3::solver& solver)
       : association_(association), solver_(solver) {}
 
   z3::expr formula(const Claim& claim);
 
  private:
-  using OwnArm = Association::OwnArm;
+  using OwnArm = FreeAssociation::OwnArm;
   struct Before {
     std::size_t travel;
     z3::expr meet;  ///< it leads to where this one begins
@@ -52,7 +52,7 @@ class ClaimCircuit {
   z3::expr order(std::size_t i, std::size_t j, std::size_t k);
   z3::expr same_path(std::size_t i, std::size_t j);
 
-  Association& association_;
+  FreeAssociation& association_;
   z3::solver& solver_;
   std::size_t statements_ = 0;
   std::size_t names_ = 0;

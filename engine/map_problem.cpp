@@ -7,9 +7,9 @@
 
 #include "axioms/z3_vocabulary.hpp"
 #include "core/error.hpp"
-#include "engine/association.hpp"
 #include "engine/claim_circuit.hpp"
 #include "engine/facts.hpp"
+#include "engine/free_association.hpp"
 #include "engine/query_map.hpp"
 #include "planarity/euler.hpp"
 
@@ -95,7 +95,7 @@ class MapProblem::State {
     std::vector<std::optional<Arrival>> result(named_.size());
     std::map<std::size_t, PlaceId> places;  // by first visit
     for (std::size_t k = 0; k < named_.size(); ++k) {
-      if (named_[k] == Association::untold) continue;
+      if (named_[k] == FreeAssociation::untold) continue;
       const std::size_t first = table_.visit_of(named_[k]);
       const PlaceId place = places.try_emplace(first, places.size()).first->second;
       result[k] = Arrival{place, named_[k] - table_.first_arm(first)};
@@ -171,7 +171,7 @@ class MapProblem::State {
     return planarity_;
   }
 
-  bool is_told(std::size_t k) const { return named_[k] != Association::untold; }
+  bool is_told(std::size_t k) const { return named_[k] != FreeAssociation::untold; }
 
   /// Facts that hold where a choice does, and the instances they lead to.
   void ground(std::span<const Fact> facts, const z3::expr& choice) {
@@ -287,7 +287,7 @@ class MapProblem::State {
   z3::solver solver_;
   Grounder grounder_;
   Z3Vocabulary vocabulary_;
-  Association association_;
+  FreeAssociation association_;
   ClaimCircuit circuit_;
   std::vector<z3::expr> axioms_;  ///< one literal each
   z3::expr planarity_;

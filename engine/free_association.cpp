@@ -1,4 +1,4 @@
-#include "engine/association.hpp"
+#include "engine/free_association.hpp"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ std::string name(const char* what, std::size_t one, std::size_t other) {
 
 }  // namespace
 
-Association::Association(z3::context& context, z3::solver& solver, const ArmTable& table)
+FreeAssociation::FreeAssociation(z3::context& context, z3::solver& solver, const ArmTable& table)
     : context_(context), solver_(solver), table_(table), at_(table.visits()) {
   for (std::size_t k = 0; k < table.visits(); ++k) {
     told_.push_back(context.bool_const(("told_" + std::to_string(k)).c_str()));
@@ -28,18 +28,18 @@ Association::Association(z3::context& context, z3::solver& solver, const ArmTabl
   }
 }
 
-z3::expr Association::at(std::size_t k, ArmIndex arm) const {
+z3::expr FreeAssociation::at(std::size_t k, ArmIndex arm) const {
   return table_.visit_of(arm) == k ? is_new(k) : at_[k][arm];
 }
 
-std::vector<ArmIndex> Association::choices(std::size_t k) const {
+std::vector<ArmIndex> FreeAssociation::choices(std::size_t k) const {
   std::vector<ArmIndex> arms;
   for (ArmIndex arm = 0; arm < table_.first_arm(k); ++arm) arms.push_back(arm);
   arms.push_back(table_.entered(k));
   return arms;
 }
 
-z3::expr Association::here(std::size_t k, std::size_t first_visit) const {
+z3::expr FreeAssociation::here(std::size_t k, std::size_t first_visit) const {
   if (k == first_visit) return is_new(k);
   z3::expr_vector arms(context_);
   const ArmIndex first = table_.first_arm(first_visit);
@@ -48,7 +48,7 @@ z3::expr Association::here(std::size_t k, std::size_t first_visit) const {
   return z3::mk_or(arms);
 }
 
-z3::expr Association::same(std::size_t i, std::size_t j) {
+z3::expr FreeAssociation::same(std::size_t i, std::size_t j) {
   if (i == j) return told(i);
   const auto [earlier, later] = std::minmax(i, j);
   const auto known = same_.find({earlier, later});
@@ -61,7 +61,7 @@ z3::expr Association::same(std::size_t i, std::size_t j) {
   return same_.emplace(std::pair(earlier, later), same).first->second;
 }
 
-z3::expr Association::coincide(OwnArm one, OwnArm other) {
+z3::expr FreeAssociation::coincide(OwnArm one, OwnArm other) {
   if (one.visit == other.visit)
     return one.arm == other.arm ? told(one.visit) : context_.bool_val(false);
   if (one.visit > other.visit) std::swap(one, other);
@@ -82,7 +82,7 @@ z3::expr Association::coincide(OwnArm one, OwnArm other) {
   return z3::mk_or(ways);
 }
 
-z3::expr Association::linked(ArmIndex one, ArmIndex other) {
+z3::expr FreeAssociation::linked(ArmIndex one, ArmIndex other) {
   if (one > other) std::swap(one, other);
   const auto known = linked_.find({one, other});
   if (known != linked_.end()) return known->second;
@@ -99,7 +99,7 @@ z3::expr Association::linked(ArmIndex one, ArmIndex other) {
   return linked_.emplace(std::pair(one, other), linked).first->second;
 }
 
-const std::vector<z3::expr>& Association::has_segment() {
+const std::vector<z3::expr>& FreeAssociation::has_segment() {
   if (!has_segment_.empty()) return has_segment_;
   std::map<ArmIndex, z3::expr_vector> used;  // by what a gateway gets a segment
   const std::size_t visits = table_.visits();
@@ -118,7 +118,7 @@ const std::vector<z3::expr>& Association::has_segment() {
   return has_segment_;
 }
 
-z3::expr Association::at_most(const std::vector<std::pair<z3::expr, int>>& sum, int bound) {
+z3::expr FreeAssociation::at_most(const std::vector<std::pair<z3::expr, int>>& sum, int bound) {
   z3::expr_vector terms(context_);
   std::vector<int> weights;
   for (const auto& [term, weight] : sum) {
@@ -130,13 +130,13 @@ z3::expr Association::at_most(const std::vector<std::pair<z3::expr, int>>& sum, 
   return z3::pble(terms, weights.data(), bound);
 }
 
-z3::expr Association::at_least_places(std::size_t count) {
+z3::expr FreeAssociation::at_least_places(std::size_t count) {
   std::vector<std::pair<z3::expr, int>> sum;
   for (std::size_t k = 0; k < table_.visits(); ++k) sum.emplace_back(is_new(k), 1);
   return !at_most(sum, static_cast<int>(count) - 1);
 }
 
-z3::expr Association::at_least_paths(std::size_t count) {
+z3::expr FreeAssociation::at_least_paths(std::size_t count) {
   // 2 |paths| = Σ new(k) arms(k) − Σ has_segment, and −x = ¬x − 1.
   std::vector<std::pair<z3::expr, int>> sum;
   for (std::size_t k = 0; k < table_.visits(); ++k)
@@ -145,14 +145,14 @@ z3::expr Association::at_least_paths(std::size_t count) {
   return !at_most(sum, 2 * (static_cast<int>(count) - 1) + static_cast<int>(has_segment().size()));
 }
 
-z3::expr Association::at_least_segments(std::size_t count) {
+z3::expr FreeAssociation::at_least_segments(std::size_t count) {
   std::vector<std::pair<z3::expr, int>> sum;
   for (const z3::expr& has : has_segment()) sum.emplace_back(has, 1);
   // An even number of gateways: more than 2 (count − 1) are 2 count.
   return !at_most(sum, 2 * (static_cast<int>(count) - 1));
 }
 
-std::vector<ArmIndex> Association::named(const z3::model& model) const {
+std::vector<ArmIndex> FreeAssociation::named(const z3::model& model) const {
   std::vector<ArmIndex> named(at_.size(), untold);
   for (std::size_t k = 0; k < at_.size(); ++k)
     for (const ArmIndex arm : choices(k))

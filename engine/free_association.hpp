@@ -17,9 +17,9 @@ namespace asterism {
 /// holds; of another none, so that its star and both its travels are as if they had not been.
 ///
 /// What is asked for is defined in the solver when first asked for.
-class Association {
+class FreeAssociation {
  public:
-  Association(z3::context& context, z3::solver& solver, const ArmTable& table);
+  FreeAssociation(z3::context& context, z3::solver& solver, const ArmTable& table);
 
   const ArmTable& table() const { return table_; }
   z3::context& context() const { return context_; }
