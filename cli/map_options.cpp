@@ -8,11 +8,14 @@ namespace asterism {
 void add_maps_of_trace(CLI::App& app, MapCommand& command) {
   app.add_option("trace", command.trace, "Trace file (*.trace.json); -: stdin")->required();
   app.add_flag("--planar", command.options.planar, "Keep only maps that can be drawn in the plane");
-  app.add_option("--check", command.options.check,
+  add_axiom_options(app, command.axioms);
+}
+
+void add_check(CLI::App& app, MapOptions& options) {
+  app.add_option("--check", options.check,
                  "Who decides: native, the solver alone, or both compared at every candidate")
       ->check(CLI::IsMember({"native", "solver", "both"}))
       ->capture_default_str();
-  add_axiom_options(app, command.axioms);
 }
 
 void add_limits(CLI::App& app, MapOptions& options) {
@@ -46,6 +49,7 @@ Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a
 64 usage, 65 bad input, 70 internal fault or a result that cannot be written.)");
   MapOptions& options = command.options;
   add_maps_of_trace(map, command);
+  add_check(map, options);
   map.add_option("--certify", options.certify_s,
                  "Seconds the solver may take to certify the minimal models; 0: do not")
       ->type_name("S")

@@ -6,13 +6,15 @@
 
 namespace CLI {
 class App;
-}
+}  // namespace CLI
 
 namespace asterism {
 
 void add_axiom_options(CLI::App& app, AxiomOptions& options);
 /// The trace, and which maps of it there are.
 void add_maps_of_trace(CLI::App& app, MapCommand& command);
+/// Who decides; to be given beside add_maps_of_trace.
+void add_check(CLI::App& app, MapOptions& options);
 /// When to stop.
 void add_limits(CLI::App& app, MapOptions& options);
 

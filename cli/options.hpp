@@ -38,7 +38,15 @@ struct QueryCommand {
   MapCommand map;  ///< what maps to ask
   std::vector<std::string> queries;
   bool only_minimal = false;
+  bool by_solver = false;  ///< instead of listing the maps
 };
+
+struct ExplainCommand {
+  MapCommand map;  ///< what maps to ask
+  std::string query;
+  bool only_minimal = false;
+};
+inline constexpr double default_explain_s = 60;
 
 struct SimulateCommand {
   std::string world = "grid";           ///< or "corridors"
@@ -95,6 +103,7 @@ struct EvaluateCommand {
 /// Each prints its result on stdout, progress on stderr, and returns the exit code.
 int map_command(const MapCommand& command);
 int query_command(const QueryCommand& command);
+int explain_command(const ExplainCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int run_command(const RunCommand& command);
 int simulate_command(const SimulateCommand& command);

@@ -10,9 +10,11 @@
 #include "cli/grow.hpp"
 #include "cli/map_parts.hpp"
 #include "cli/progress.hpp"
+#include "cli/query_parts.hpp"
 #include "core/error.hpp"
 #include "engine/query.hpp"
 #include "engine/query_reader.hpp"
+#include "engine/solver_query.hpp"
 #include "io/atomic_file.hpp"
 #include "io/trace_file.hpp"
 
@@ -26,18 +28,14 @@ struct QueryReport {
   std::optional<std::string> stopped_by;
   std::vector<Query> queries;
   std::optional<std::vector<Answer>> answers;
+  std::vector<SolverAnswer> solved;  ///< where the solver was asked instead
 };
 
-const char* name_of(Modality modality) {
-  switch (modality) {
-    case Modality::certain:
-      return "certain";
-    case Modality::possible:
-      return "possible";
-    case Modality::impossible:
-      return "impossible";
-  }
-  return "";
+bool is_complete(const QueryReport& report) {
+  return report.solved.empty() ? report.answers.has_value()
+                               : std::ranges::all_of(report.solved, [](const auto& answer) {
+                                   return answer.modality().has_value();
+                                 });
 }
 
 /// "planar map", or "planar maps" if it is not one.
@@ -46,17 +44,18 @@ std::string noun(const QueryCommand& command, std::uint64_t count) {
                      command.only_minimal ? "minimal model" : "map", count == 1 ? "" : "s");
 }
 
-/// As it may be shown in one line: what is read has no control characters but white space.
-std::string one_line(std::string query) {
-  std::ranges::replace_if(
-      query, [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
-  return query;
-}
-
-std::string visits_text(const std::vector<Arrival>& arrivals) {
-  std::vector<std::size_t> places;
-  for (const Arrival& arrival : arrivals) places.push_back(arrival.place.index());
-  return fmt::format("{}", fmt::join(places, " "));
+void print_solved(const QueryReport& report) {
+  for (std::size_t i = 0; i < report.solved.size(); ++i) {
+    const SolverAnswer& answer = report.solved[i];
+    const std::optional<Modality> modality = answer.modality();
+    fmt::print("{}: {}\n", one_line(report.queries[i].text),
+               modality ? name_of(*modality) : "undecided");
+    if (modality && *modality != Modality::possible) continue;
+    if (answer.witness)
+      fmt::print("  it holds with visits at places {}\n", visits_text(*answer.witness));
+    if (answer.counterexample)
+      fmt::print("  it fails with visits at places {}\n", visits_text(*answer.counterexample));
+  }
 }
 
 void print(const QueryCommand& command, const MapTree& tree, const QueryReport& report) {
@@ -101,6 +100,16 @@ Json json_of(const Query& query, const Answer* answer) {
           {"counterexample", json_of(answer->counterexample)}};
 }
 
+Json json_of(const Query& query, const SolverAnswer& answer) {
+  const auto modality = answer.modality();
+  return {{"query", query.text},
+          {"verdict", modality ? name_of(*modality) : "undecided"},
+          {"holds", nullptr},
+          {"of", nullptr},
+          {"witness", json_of(answer.witness)},
+          {"counterexample", json_of(answer.counterexample)}};
+}
+
 /// A query a line.
 void write_json(std::ostream& out, const QueryCommand& command, const Trace& trace,
                 const MapTree& tree, const QueryReport& report) {
@@ -110,15 +119,20 @@ void write_json(std::ostream& out, const QueryCommand& command, const Trace& tra
                      {"check", options.check},
                      {"axioms", options.axioms},
                      {"optional_axioms", options.optional_axioms},
-                     {"over", command.only_minimal ? "minimal" : "all"}};
+                     {"over", command.only_minimal ? "minimal" : "all"},
+                     {"by", command.by_solver ? "solver" : "enumeration"}};
   head["consistent"] = report.answers ? Json(tree.size()) : Json();
-  head["complete"] = report.answers.has_value();
+  head["complete"] = is_complete(report);
   if (report.stopped_by) head["stopped_by"] = *report.stopped_by;
   const std::string text = head.dump();
   out << std::string_view(text).substr(0, text.size() - 1) << ",\n  \"queries\": [";
-  for (std::size_t i = 0; i < report.queries.size(); ++i)
-    out << (i == 0 ? "\n    " : ",\n    ")
-        << json_of(report.queries[i], report.answers ? &report.answers->at(i) : nullptr).dump();
+  for (std::size_t i = 0; i < report.queries.size(); ++i) {
+    const Json answer =
+        command.by_solver
+            ? json_of(report.queries[i], report.solved[i])
+            : json_of(report.queries[i], report.answers ? &report.answers->at(i) : nullptr);
+    out << (i == 0 ? "\n    " : ",\n    ") << answer.dump();
+  }
   out << "]}\n";
 }
 
@@ -134,6 +148,25 @@ void find_answers(const QueryCommand& command, const Trace& trace, MapTree& tree
   if (!report.answers) report.stopped_by = progress.stopped_by();
 }
 
+void ask_solver(const QueryCommand& command, const Trace& trace, const AxiomSet& axioms,
+                QueryReport& report) {
+  const double seconds = command.map.options.time_limit_s.value_or(1e6);
+  report.solved = ask_solver(trace, axioms, command.map.options.planar, {}, report.queries,
+                             command.only_minimal, seconds);
+  if (!is_complete(report)) report.stopped_by = fmt::format("time limit of {} s", seconds);
+}
+
+int exit_code(const QueryReport& report) {
+  if (!is_complete(report)) return exit_undecided;
+  const auto is_impossible = [](const auto& answer) {
+    return answer.modality() == Modality::impossible;
+  };
+  const bool some_impossible =
+      std::ranges::any_of(report.solved, is_impossible) ||
+      (report.answers && std::ranges::any_of(*report.answers, is_impossible));
+  return some_impossible ? exit_inconsistent : exit_consistent;
+}
+
 }  // namespace
 
 int query_command(const QueryCommand& given) {
@@ -142,26 +175,26 @@ int query_command(const QueryCommand& given) {
   for (const std::string& text : command.queries) report.queries.push_back(read_query(text));
   const Trace trace = read_trace_file(command.map.trace == "-" ? "/dev/stdin" : command.map.trace);
   for (const Query& query : report.queries) require_visits(query, trace);
+  if (command.by_solver) command.map.options.check = "solver";
   const AxiomSet axioms = read_axioms(command.map);
 
   Progress progress(trace.visits.size(), command.map.options.time_limit_s);
   MapTree::Options options = tree_options(command.map, axioms);
   options.go_on = std::ref(progress);
   MapTree tree(std::move(options));
-  find_answers(command, trace, tree, progress, report);
+  if (command.by_solver)
+    ask_solver(command, trace, axioms, report);
+  else
+    find_answers(command, trace, tree, progress, report);
 
   const auto write = [&](std::ostream& out) { write_json(out, command, trace, tree, report); };
   if (command.map.json == "-") {
     write(std::cout);
   } else {
     if (command.map.json) write_atomically(*command.map.json, write);
-    print(command, tree, report);
+    command.by_solver ? print_solved(report) : print(command, tree, report);
   }
-  if (!report.answers) return exit_undecided;
-  const bool some_impossible = std::ranges::any_of(*report.answers, [](const Answer& answer) {
-    return answer.modality() == Modality::impossible;
-  });
-  return some_impossible ? exit_inconsistent : exit_consistent;
+  return exit_code(report);
 }
 
 }  // namespace asterism

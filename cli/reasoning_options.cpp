@@ -3,8 +3,19 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/map_options.hpp"
+#include "cli/option_checks.hpp"
 
 namespace asterism {
+namespace {
+
+void add_over(CLI::App& app, bool& only_minimal) {
+  app.add_option_function<std::string>(
+         "--over", [&](const std::string& which) { only_minimal = which == "minimal"; },
+         "Ask all maps, or the minimal models alone [all]")
+      ->check(CLI::IsMember({"all", "minimal"}));
+}
+
+}  // namespace
 
 void add_query(CLI::App& app, QueryCommand& command, std::function<int()>& chosen) {
   CLI::App& query = *app.add_subcommand("query", "Ask every map that explains a trace");
@@ -18,16 +29,52 @@ Exit code: 0 all are certain or possible, 1 one is impossible or no map explains
 2 stopped by a limit or Ctrl-C, 64 usage or a text that is no query, 65 bad input or a visit that the
 trace does not have, 70 internal fault or a result that cannot be written.)");
   add_maps_of_trace(query, command.map);
+  add_check(query, command.map.options);
   query.add_option("queries", command.queries, "Queries, each one argument")->required();
+  add_over(query, command.only_minimal);
   query
       .add_option_function<std::string>(
-          "--over", [&](const std::string& which) { command.only_minimal = which == "minimal"; },
-          "Ask all maps, or the minimal models alone [all]")
-      ->check(CLI::IsMember({"all", "minimal"}));
+          "--by", [&](const std::string& way) { command.by_solver = way == "solver"; },
+          "List the maps and ask each, or have the solver say whether there is "
+          "one that answers yes, and one that answers no [enumeration]")
+      ->check(CLI::IsMember({"enumeration", "solver"}));
   query.add_option("--json", command.map.json, "Write the answers as JSON; -: alone on stdout")
       ->type_name("FILE");
   add_limits(query, command.map.options);
-  query.callback([&] { chosen = [&] { return query_command(command); }; });
+  query.callback([&] {
+    // These are about the listing.
+    for (const char* option : {"--check", "--max-hypotheses"})
+      if (command.by_solver && query.get_option(option)->count() > 0)
+        throw CLI::ExcludesError("--by solver", option);
+    chosen = [&] { return query_command(command); };
+  });
+}
+
+void add_explain(CLI::App& app, ExplainCommand& command, std::function<int()>& chosen) {
+  CLI::App& explain = *app.add_subcommand(
+      "explain", "Say why a query is impossible or certain: what clashes, and with what");
+  explain.footer(R"(Examples:
+  asterism explain examples/aces-stubs.trace.json 'same(8, 10)'
+  asterism explain drive.trace.json 'same(3, 9)' --planar --svg clash.svg
+  asterism explain drive.trace.json 'places < 7' --over minimal --json - | jq .clash
+A clash names visits, axioms and planarity of which none can be spared; a solver that knew nothing of
+how it was found has confirmed it. A query that is neither impossible nor certain gets two maps.
+docs/queries.md has the grammar.
+Exit code: 0 certain or possible, 1 impossible, 2 undecided in the time given, 64 usage or a text that
+is no query, 65 bad input or a visit that the trace does not have, 70 internal fault or a result that
+cannot be written.)");
+  add_maps_of_trace(explain, command.map);
+  explain.add_option("query", command.query, "The query, one argument")->required();
+  add_over(explain, command.only_minimal);
+  explain
+      .add_option("--json", command.map.json, "Write the explanation as JSON; -: alone on stdout")
+      ->type_name("FILE");
+  explain
+      .add_option("--time-limit", command.map.options.time_limit_s,
+                  "Stop after this many seconds [60]")
+      ->type_name("S")
+      ->check(seconds);
+  explain.callback([&] { chosen = [&] { return explain_command(command); }; });
 }
 
 }  // namespace asterism

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "core/topological_map.hpp"
+#include "engine/explanation.hpp"
+#include "engine/query.hpp"
+
+namespace asterism {
+
+// What `asterism query` and `asterism explain` share.
+
+inline const char* name_of(Modality modality) {
+  switch (modality) {
+    case Modality::certain:
+      return "certain";
+    case Modality::possible:
+      return "possible";
+    case Modality::impossible:
+      break;
+  }
+  return "impossible";
+}
+
+/// As it may be shown in one line: what is read has no control characters but white space.
+std::string one_line(std::string query);
+
+/// "0 1 2 0": the place of each visit.
+std::string visits_text(const std::vector<Arrival>& arrivals);
+
+/// A map of all visits.
+std::vector<Arrival> whole(const PartialMap& map);
+
+/// The time that is left.
+class Countdown {
+ public:
+  explicit Countdown(double seconds) : seconds_(seconds) {}
+  double seconds_left() const {
+    return seconds_ - std::chrono::duration<double>(Clock::now() - begin_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double seconds_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+}  // namespace asterism
