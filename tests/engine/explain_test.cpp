@@ -13,17 +13,6 @@ using namespace asterism;
 
 namespace {
 
-/// The shipped axioms of these names, and no others; those of the signature stay.
-const AxiomSet& only(const std::vector<std::string>& names) {
-  static std::map<std::set<std::string>, AxiomSet> known;
-  const std::set<std::string> kept(names.begin(), names.end());
-  if (const auto set = known.find(kept); set != known.end()) return set->second;
-  AxiomFiles files = shipped_files();
-  for (const Axiom& axiom : shipped_with().axioms())
-    if (!axiom.by_signature && !kept.contains(axiom.name)) files = with_axiom(files, axiom.name);
-  return known.emplace(kept, AxiomSet::parse(files)).first->second;
-}
-
 /// Every way to go on to the next visit: any arm of any place, or a new place.
 std::vector<Association> candidates(const Trace& trace, const Association& map) {
   const TopologicalMap written = make_map(trace, map);
@@ -81,7 +70,7 @@ void check_reason(const Trace& trace, const Association& child) {
   for (const Clash::Step& step : reason->steps)
     CHECK(std::ranges::count(reason->axioms, step.axiom) == 1);
   // The axioms named suffice.
-  const auto again = explain_dropped(trace, child, only(reason->axioms), false);
+  const auto again = explain_dropped(trace, child, only({reason->axioms.begin(), reason->axioms.end()}), false);
   REQUIRE(again);
   CHECK_FALSE(again->not_planar);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -31,6 +32,17 @@ inline AxiomFiles with_axiom(AxiomFiles files, const std::string& name,
     return files;
   }
   throw std::logic_error("no axiom " + name);
+}
+
+/// The shipped axioms of these names, and no others; those of the signature stay.
+inline const AxiomSet& only(const std::set<std::string>& names) {
+  static std::map<std::set<std::string>, AxiomSet> known;
+  if (const auto set = known.find(names); set != known.end()) return set->second;
+  AxiomFiles files = shipped_files();
+  const AxiomSet shipped = AxiomSet::parse(files);
+  for (const Axiom& axiom : shipped.axioms())
+    if (!axiom.by_signature && !names.contains(axiom.name)) files = with_axiom(files, axiom.name);
+  return known.emplace(names, AxiomSet::parse(files)).first->second;
 }
 
 }  // namespace asterism
