@@ -165,7 +165,7 @@ Reason explain(const Trace& trace, const AxiomSet& axioms, bool planar,
   if (verdict == Verdict::consistent) return {verdict, problem.map(), {}};
   if (verdict == Verdict::undecided) return {verdict, {}, {}};
 
-  const auto core = minimise(problem, std::move(premises));
+  const auto core = minimise(problem, {problem.core().begin(), problem.core().end()});
   if (!core) return {Verdict::undecided, {}, {}};
 
   MapProblem fresh(trace, axioms, seconds_left());

@@ -15,17 +15,20 @@ FreeAssociation::FreeAssociation(z3::context& context, z3::solver& solver, const
     : context_(context), solver_(solver), table_(table), at_(table.visits()) {
   for (std::size_t k = 0; k < table.visits(); ++k) {
     told_.push_back(context.bool_const(("told_" + std::to_string(k)).c_str()));
-    z3::expr_vector one(context);
     for (const ArmIndex arm : choices(k)) {
       at_[k].push_back(context.bool_const(name("at", k, arm).c_str()));
-      one.push_back(at_[k].back());
-      solver.add(z3::implies(at_[k].back(),
-                             table.visit_of(arm) == k ? told_[k] : is_new(table.visit_of(arm))));
+      const std::size_t place = table.visit_of(arm);
+      if (place != k) solver.add(z3::implies(at_[k].back(), is_new(place)));
       solver.add(z3::implies(at_[k].back(), told_[k]));
     }
-    solver.add(z3::implies(told_[k], z3::mk_or(one)));
-    solver.add(z3::atmost(one, 1));
   }
+}
+
+void FreeAssociation::choose(std::size_t k) {
+  z3::expr_vector one(context_);
+  for (const z3::expr& choice : at_[k]) one.push_back(choice);
+  solver_.add(z3::implies(told_[k], z3::mk_or(one)));
+  solver_.add(z3::atmost(one, 1));
 }
 
 z3::expr FreeAssociation::at(std::size_t k, ArmIndex arm) const {

@@ -28,6 +28,8 @@ class FreeAssociation {
   /// @param arm  one of an earlier visit, or the one visit k was entered by
   z3::expr at(std::size_t k, ArmIndex arm) const;
   z3::expr is_new(std::size_t k) const { return at_[k].back(); }
+  /// Has the solver choose exactly one for a visit told of. To be called once, for each such visit.
+  void choose(std::size_t k);
   /// The arms that visit k may have come in by.
   std::vector<ArmIndex> choices(std::size_t k) const;
 

@@ -36,6 +36,17 @@ bool is_about_places(const Claim& claim) {
   return std::holds_alternative<Claim::Same>(claim.is);
 }
 
+void collect_visits(const Claim& claim, std::set<std::size_t>& visits) {
+  if (const auto* all = std::get_if<Claim::All>(&claim.is))
+    for (const Claim& part : all->parts) collect_visits(part, visits);
+  if (const auto* any = std::get_if<Claim::Any>(&claim.is))
+    for (const Claim& part : any->parts) collect_visits(part, visits);
+  if (const auto* negation = std::get_if<Claim::Not>(&claim.is))
+    collect_visits(negation->part.front(), visits);
+  if (const auto* same = std::get_if<Claim::Same>(&claim.is))
+    visits.insert({same->one.index(), same->other.index()});
+}
+
 }  // namespace
 
 class MapProblem::State {
@@ -48,18 +59,11 @@ class MapProblem::State {
         vocabulary_(context_, grounder_),
         association_(context_, solver_, table_),
         circuit_(association_, solver_),
-        planarity_(context_.bool_const("planarity")) {
+        planarity_(context_.bool_const("planarity")),
+        is_shipped_(axioms.is_shipped()) {
     for (const Axiom& axiom : grounder_.axioms().axioms())
       axioms_.push_back(context_.bool_const(("axiom_" + axiom.name).c_str()));
-    // What holds wherever visits were. Cut short, it is never asked: check() finds itself out of
-    // time as well.
     ground(general_facts(), context_.bool_val(true));
-    for (std::size_t k = 0; k < table_.visits() && !out_of_time(); ++k) {
-      ground(place_facts(table_, k), association_.is_new(k));
-      for (const ArmIndex arm : association_.choices(k))
-        if (const auto facts = travel_facts(table_, k, arm, arm); k > 0)
-          ground(std::span(facts).first(1), association_.at(k, arm));  // what was seen there
-    }
   }
 
   Premise add(const Claim& claim) {
@@ -81,10 +85,13 @@ class MapProblem::State {
 
   Verdict check(std::span<const Premise> premises) {
     const std::set<Premise> in_force(premises.begin(), premises.end());
-    const Verdict without = check(in_force, true);
     const bool all_about_places = std::ranges::all_of(in_force, [&](const Premise& premise) {
       return premise.kind != Premise::Kind::claim || is_about_places(claims_[premise.number].claim);
     });
+    if (all_about_places && is_shipped_ && has_all_axioms(in_force))
+      for (const auto& part : parts_of(in_force))
+        if (check(part, true) == Verdict::inconsistent) return Verdict::inconsistent;
+    const Verdict without = check(in_force, true);
     // What a map says of visits left open may make other claims true.
     return without == Verdict::inconsistent && !all_about_places ? check(in_force, false) : without;
   }
@@ -111,6 +118,39 @@ class MapProblem::State {
     z3::expr literal;
   };
 
+  bool has_all_axioms(const std::set<Premise>& in_force) const {
+    const std::vector<Axiom>& axioms = grounder_.axioms().axioms();
+    for (std::size_t i = 0; i < axioms.size(); ++i)
+      if (!axioms[i].by_signature && !in_force.contains({Premise::Kind::axiom, i})) return false;
+    return true;
+  }
+
+  /// The same of fewer visits, round those that claims are about. The visits of a map that are left
+  /// make a map, since all that were to one place saw one star: so if these cannot be, nor can all,
+  /// and they are sooner decided.
+  std::vector<std::set<Premise>> parts_of(const std::set<Premise>& in_force) const {
+    std::set<std::size_t> named;
+    for (const Premise& premise : in_force)
+      if (premise.kind == Premise::Kind::claim)
+        collect_visits(claims_[premise.number].claim, named);
+    if (named.empty()) return {};
+    const auto part = [&](const auto& is_kept) {
+      std::set<Premise> kept = in_force;
+      std::erase_if(kept, [&](const Premise& premise) {
+        return premise.kind == Premise::Kind::visit && !is_kept(premise.number);
+      });
+      return kept;
+    };
+    const auto near = [&](std::size_t k) {
+      return std::ranges::any_of(named, [&](std::size_t i) { return i <= k + 1 && k <= i + 1; });
+    };
+    const auto between = [&](std::size_t k) { return *named.begin() <= k && k <= *named.rbegin(); };
+    std::vector<std::set<Premise>> parts{part([&](std::size_t k) { return named.contains(k); }),
+                                         part(near), part(between)};
+    std::erase_if(parts, [&](const auto& fewer) { return fewer.size() + 5 > in_force.size(); });
+    return parts;
+  }
+
   Verdict check(const std::set<Premise>& in_force, bool nothing_else_told) {
     z3::expr_vector assumptions(context_);
     std::map<unsigned, Premise> premise_of;
@@ -118,9 +158,11 @@ class MapProblem::State {
       assumptions.push_back(literal(premise));
       premise_of.emplace(literal(premise).id(), premise);
     }
-    for (std::size_t k = 0; nothing_else_told && k < table_.visits(); ++k)
-      if (!in_force.contains({Premise::Kind::visit, k}))
+    for (std::size_t k = 0; k < table_.visits(); ++k)
+      if (nothing_else_told && !in_force.contains({Premise::Kind::visit, k}))
         assumptions.push_back(!association_.told(k));
+      else
+        prepare(k);
     while (!out_of_time()) {
       set_timeout();
       const z3::check_result result = solver_.check(assumptions);
@@ -148,6 +190,24 @@ class MapProblem::State {
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now());
     return static_cast<unsigned>(std::clamp<long long>(left.count(), 1, 1'000'000'000));
+  }
+
+  /// What holds wherever a visit that is told of was. Cut short, it is not asked: check() finds
+  /// itself out of time as well.
+  void prepare(std::size_t k) {
+    if (!prepared_.insert(k).second) return;
+    association_.choose(k);
+    ground(place_facts(table_, k), association_.is_new(k));
+    for (const std::size_t j : prepared_) {
+      if (out_of_time()) return;
+      const auto [place, visit] = std::minmax(j, k);
+      const ArmIndex first = table_.first_arm(place);
+      for (ArmIndex arm = first; arm < first + table_.star_size(place); ++arm)
+        if (place != visit || arm == table_.entered(visit)) {
+          const auto facts = travel_facts(table_, visit, arm, arm);
+          ground(std::span(facts).first(1), association_.at(visit, arm));  // what was seen there
+        }
+    }
   }
 
   void set_timeout() {
@@ -291,7 +351,10 @@ class MapProblem::State {
   ClaimCircuit circuit_;
   std::vector<z3::expr> axioms_;  ///< one literal each
   z3::expr planarity_;
+  bool is_shipped_;
   std::vector<AddedClaim> claims_;
+
+  std::set<std::size_t> prepared_;  ///< visits
 
   std::vector<Premise> core_;
   std::vector<ArmIndex> named_;
