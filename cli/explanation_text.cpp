@@ -87,7 +87,7 @@ std::string clash_text(const Trace& trace, const AxiomSet& axioms, const Explain
   const Explanation& clash = *report.clash;
   std::string text;
   if (const auto visits = visits_of(clash); !visits.empty())
-    text += fmt::format("  visit{}{} {}\n", visits.size() == 1 ? " " : "s", std::string(10, ' '),
+    text += fmt::format("  visit{}{} {}\n", visits.size() == 1 ? " " : "s", std::string(9, ' '),
                         fmt::join(visits, ", "));
   for (const auto& [premise, without] : clash.members) {
     if (premise.kind == Kind::axiom) {

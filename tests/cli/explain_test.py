@@ -1,0 +1,144 @@
+"""Explains on the command line: explain_test.py PROGRAM SOURCE_FOLDER [unittest options]."""
+
+import json
+import sys
+import unittest
+
+from program import SOURCE, Folder, run, shown_in, shown_in_readme
+
+TRACES = SOURCE / "tests/traces"
+ACES = TRACES / "aces-stubs.trace.json"
+
+
+def explained(*arguments):
+    done = run("explain", *arguments, "--json", "-")
+    return done.returncode, json.loads(done.stdout)
+
+
+def kinds(clash):
+    return [next(key for key in member if key != "without") for member in clash]
+
+
+class Clashes(Folder):
+    def test_impossible_and_certain(self):
+        code, found = explained(ACES, "same(8, 10)")
+        self.assertEqual((code, found["verdict"]), (1, "impossible"))
+        self.assertEqual([m["visit"] for m in found["clash"] if "visit" in m], [8, 9, 10])
+        self.assertEqual(found["clash"][-1]["claim"], "same(8, 10)")
+        code, contrary = explained(ACES, "not same(8, 10)")
+        self.assertEqual((code, contrary["verdict"]), (0, "certain"))
+        self.assertEqual(contrary["clash"], found["clash"])
+        self.assertEqual(len(contrary["witness"]["visits"]), 15)
+
+    def test_each_map_without_a_member_tells_of_the_other_visits(self):
+        _, found = explained(ACES, "same(7, 14)")
+        visits = [m["visit"] for m in found["clash"] if "visit" in m]
+        for member in found["clash"]:
+            told = [k for k, place in enumerate(member["without"]["visits"]) if place is not None]
+            self.assertEqual(told, [k for k in visits if k != member.get("visit")])
+            if "claim" not in member and member.get("visit") not in (7, 14):
+                places = member["without"]["visits"]
+                self.assertEqual(places[7], places[14])
+
+    def test_possible(self):
+        code, found = explained(ACES, "same(0, 8)")
+        self.assertEqual((code, found["verdict"], found["clash"]), (0, "possible", None))
+        for key, equal in (("witness", True), ("counterexample", False)):
+            visits = found[key]["visits"]
+            self.assertEqual(visits[0] == visits[8], equal)
+            self.assertEqual(run("map", ACES, "--why-not", ",".join(map(str, visits))).returncode, 0)
+
+    def test_preference(self):
+        code, found = explained(ACES, "--over", "minimal", "places = 10")
+        self.assertEqual((code, found["verdict"]), (1, "impossible"))
+        preference = found["preference"]
+        self.assertEqual((preference["minimal"], preference["best"], preference["decides"]),
+                         ([6, 9], [8, 10], "path"))
+        listed = json.loads(run("map", ACES, "--all", "--json", "-").stdout)["maps"]
+        best = min((len(m["paths"]), len(m["places"])) for m in listed if len(m["places"]) == 10)
+        self.assertEqual(best, (8, 10))
+        code, found = explained(ACES, "--over", "minimal", "places < 10")
+        self.assertEqual((code, found["verdict"]), (0, "certain"))
+        code, found = explained(ACES, "--over", "minimal", "same(0, 1)")
+        self.assertEqual((code, found["preference"]), (1, None))
+        self.assertTrue(found["clash"])
+
+    def test_a_trace_that_no_map_explains(self):
+        dead_end = {"star": "a+1 a-0", "left_by": "a+"}
+        crossing = {"star": "a+1 b+1 a-1 b-1", "entered_by": "a+", "left_by": "a+"}
+        file = self.file("no.trace.json", json.dumps(
+            {"format": "asterism/trace", "version": 1, "name": "no",
+             "visits": [dead_end, crossing, crossing]}))
+        done = run("explain", file, "same(0, 0)")
+        self.assertEqual(done.returncode, 1)
+        self.assertTrue(done.stdout.startswith(
+            "same(0, 0): impossible, since no map explains the trace. These clash:\n"), done.stdout)
+        _, found = explained(file, "same(0, 0)")
+        self.assertNotIn("claim", kinds(found["clash"]))
+
+    def test_other_axioms(self):
+        eight = TRACES / "eight-crossings.trace.json"
+        listed = [json.loads(run("map", eight, "--all", "--json", "-", *axiom).stdout)["maps"]
+                  for axiom in ([], ["--axiom", "one_segment"])]
+        pairs = [(i, j) for i in range(15) for j in range(i) if any(
+            m["visits"][i] == m["visits"][j] for m in listed[0])]
+        for i, j in pairs:
+            if any(m["visits"][i] == m["visits"][j] for m in listed[1]):
+                continue
+            _, found = explained(eight, "--axiom", "one_segment", f"same({j}, {i})")
+            self.assertIn("one_segment", [m.get("axiom") for m in found["clash"]])
+
+    def test_same_bytes_and_both_outputs(self):
+        file = self.folder / "clash.json"
+        text = run("explain", ACES, "same(8, 10)", "--json", file).stdout
+        self.assertEqual(text, run("explain", ACES, "same(8, 10)").stdout)
+        self.assertEqual(file.read_text(), run("explain", ACES, "same(8, 10)", "--json", "-").stdout)
+
+
+class BySolver(Folder):
+    def test_agrees_with_listing(self):
+        queries = ["same(0, 8)", "same(8, 10)", "not same(8, 10)", "places > 8", "on_path(1, 3)"]
+        for options in ([], ["--planar"], ["--over", "minimal"]):
+            asked = [json.loads(run("query", ACES, *queries, *options, "--json", "-", *by).stdout)
+                     for by in ([], ["--by", "solver"])]
+            self.assertEqual(*([q["verdict"] for q in found["queries"]] for found in asked))
+            self.assertEqual([found["options"]["by"] for found in asked], ["enumeration", "solver"])
+
+    def test_undecided(self):
+        done = run("query", ACES, "same(0, 8)", "--by", "solver", "--time-limit", "0")
+        self.assertEqual((done.returncode, done.stdout), (2, "same(0, 8): undecided\n"))
+        done = run("explain", ACES, "same(0, 8)", "--time-limit", "0")
+        self.assertEqual((done.returncode, done.stdout), (2, "same(0, 8): undecided in 0 s\n"))
+
+    def test_refuses_what_is_about_listing(self):
+        for option in (["--check", "native"], ["--max-hypotheses", "5"]):
+            done = run("query", ACES, "same(0, 8)", "--by", "solver", *option)
+            self.assertEqual((done.returncode, done.stdout), (64, ""))
+            self.assertIn(option[0], done.stderr)
+
+
+class BadInput(Folder):
+    def test_refused(self):
+        out = self.folder / "out.json"
+        for code, query, message in (
+                (64, "same(3", "query, character 7: found the end"),
+                (65, "same(3, 15)", "query, character 9: found visit 15; expected 0 to 14")):
+            done = run("explain", ACES, query, "--json", out)
+            self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
+            self.assertIn(message, done.stderr)
+            self.assertFalse(out.exists())
+        done = run("explain", self.file("bad.trace.json", "{}"), "same(0, 0)")
+        self.assertEqual((done.returncode, done.stdout), (65, ""))
+
+
+class Pages(unittest.TestCase):
+    def test_what_is_shown_is_printed(self):
+        shown = shown_in_readme("explain") + shown_in("docs/queries.md", "explain")
+        self.assertTrue(shown)
+        for command, output in shown:
+            command = [SOURCE / word if word.startswith("examples/") else word for word in command]
+            self.assertEqual(run(*command).stdout.rstrip(), output)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
