@@ -45,6 +45,14 @@ std::string MapFigure::stroke(std::size_t path, const char* more) {
   return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"5\" {}", path_colour(path), more);
 }
 
+std::string MapFigure::crossing_stroke() {
+  return "fill=\"none\" stroke=\"#c00000\" stroke-width=\"5\"";
+}
+
+std::string MapFigure::band_stroke() {
+  return "fill=\"none\" stroke=\"#ffd9b3\" stroke-width=\"21\" stroke-linecap=\"round\"";
+}
+
 void MapFigure::draw(SvgPen& pen, SvgPoint corner, const Marks& marks) {
   corner_ = corner;
   for (std::size_t s = 0; s < map_.segments.size(); ++s)
@@ -64,13 +72,11 @@ void MapFigure::draw_segment(SvgPen& pen, std::size_t segment, const Marks& mark
   for (const MapDrawing::Point& point : drawing_.segments[segment]) line.push_back(pixel(point));
   const std::string d = rounded(line, bend_radius);
   if (marks.banded.contains(segment))
-    pen.path(d, "fill=\"none\" stroke=\"#ffd9b3\" stroke-width=\"21\" stroke-linecap=\"round\"");
+    pen.path(d, band_stroke());
   else if (!drawing_.without_crossings)  // a gap where it passes over another
     pen.path(d, "fill=\"none\" stroke=\"#ffffff\" stroke-width=\"13\"");
-  if (segment == marks.crossing)
-    pen.path(d, "fill=\"none\" stroke=\"#c00000\" stroke-width=\"5\"");
-  else
-    pen.path(d, stroke(paths_.at(map_.segments[segment].first)));
+  pen.path(d, segment == marks.crossing ? crossing_stroke()
+                                        : stroke(paths_.at(map_.segments[segment].first)));
 }
 
 void MapFigure::draw_arm(SvgPen& pen, PlaceArm arm, std::size_t path) const {

@@ -33,6 +33,8 @@ class MapFigure {
   void draw_robot(SvgPen& pen) const;
 
   static std::string stroke(std::size_t path, const char* more = "");
+  static std::string crossing_stroke();
+  static std::string band_stroke();
   static void draw_robot_arrow(SvgPen& pen, SvgPoint centre, SvgPoint along);
 
  private:
