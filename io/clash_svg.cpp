@@ -99,7 +99,8 @@ class Picture {
   void add_crossing() {
     add_heading("Without planarity there would be this map");
     const double top = y_ + margin;
-    MapFigure::Marks marks{segments_on(*clash_.crossing), clash_.crossing->map.segments.size() - 1};
+    const MapFigure::Marks marks{segments_on(*clash_.crossing),
+                                 clash_.crossing->map.segments.size() - 1, clash_.crossing->names};
     figure_->draw(pen_, {margin, top}, marks);
     y_ = top - line_height;
     add_legend(margin + figure_->width() + margin);
@@ -117,8 +118,11 @@ class Picture {
     }
     y_ += line_height / 2;
     std::map<PlaceId, std::string> visits;
-    for (const auto& [visit, place] : clash_.crossing->visits)
+    const std::vector<PlaceId>& names = clash_.crossing->names;
+    for (const auto& [visit, at] : clash_.crossing->visits) {
+      const PlaceId place = names.empty() ? at : names.at(at.index());
       visits[place] += (visits[place].empty() ? "" : ", ") + std::to_string(visit.index());
+    }
     for (const auto& [place, numbers] : visits) {
       const bool one = numbers.find(',') == std::string::npos;
       add_words(x, legend_width,

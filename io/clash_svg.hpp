@@ -25,12 +25,14 @@ struct ClashPicture {
   };
   /// The map that there would be, were it not for planarity.
   struct Crossing {
-    TopologicalMap map;  ///< places, and segments: last the one that cannot be drawn, so that its
-                         ///< drawing leads that one over others; what else is in it is not shown
+    /// Places, and segments: last the one that cannot be drawn, so that its drawing leads that one
+    /// over others. What else is in it is not shown.
+    TopologicalMap map;
     MapDrawing drawing;
-    VisitId visit;                                    ///< where the last segment's travel ends
-    std::vector<std::pair<VisitId, PlaceId>> visits;  ///< where those told of are
-    std::vector<std::vector<PlaceId>> loops;          ///< closed ways to cross: places, in order
+    VisitId visit;                                         ///< where the last segment's travel ends
+    std::vector<std::pair<VisitId, PlaceId>> visits = {};  ///< where those told of are
+    std::vector<PlaceId> names = {};  ///< place p is shown as names[p]; as p if there are none
+    std::vector<std::vector<PlaceId>> loops = {};  ///< closed ways to cross: places, in order
   };
 
   std::string title = {};             ///< "same(8, 10): impossible"

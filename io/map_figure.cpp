@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "io/path_colours.hpp"
 
@@ -64,7 +63,7 @@ void MapFigure::draw(SvgPen& pen, SvgPoint corner, const Marks& marks) {
     open.erase(other);
   }
   for (const auto& [arm, path] : open) draw_arm(pen, arm, path);
-  for (std::size_t p = 0; p < map_.places.size(); ++p) draw_place(pen, p);
+  for (std::size_t p = 0; p < map_.places.size(); ++p) draw_place(pen, p, marks);
 }
 
 void MapFigure::draw_segment(SvgPen& pen, std::size_t segment, const Marks& marks) const {
@@ -96,7 +95,7 @@ void MapFigure::draw_arm(SvgPen& pen, PlaceArm arm, std::size_t path) const {
 }
 
 /// A disc with the local-paths running through it, and its number.
-void MapFigure::draw_place(SvgPen& pen, std::size_t p) const {
+void MapFigure::draw_place(SvgPen& pen, std::size_t p, const Marks& marks) const {
   const SvgPoint centre = pixel(drawing_.places[p]);
   pen.circle(centre, disc, "fill=\"#ffffff\"");
   for (std::size_t arm = 0; arm < map_.places[p].star.size(); ++arm) {
@@ -105,7 +104,8 @@ void MapFigure::draw_place(SvgPen& pen, std::size_t p) const {
   }
   pen.circle(centre, disc, "fill=\"none\" stroke=\"#222222\" stroke-width=\"2\"");
   pen.circle(centre, disc - 4.5, "fill=\"#ffffff\"");
-  pen.text({centre.x, centre.y + 4.5}, std::to_string(p), "text-anchor=\"middle\"");
+  const std::size_t name = marks.names.empty() ? p : marks.names.at(p).index();
+  pen.text({centre.x, centre.y + 4.5}, std::to_string(name), "text-anchor=\"middle\"");
 }
 
 void MapFigure::draw_robot(SvgPen& pen) const {

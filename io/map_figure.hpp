@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/map_drawing.hpp"
 #include "core/topological_map.hpp"
@@ -16,10 +17,11 @@ namespace asterism {
 /// A drawing of a map as part of a picture, its upper left corner anywhere.
 class MapFigure {
  public:
-  /// Segments that stand out, by position in the map.
+  /// What stands out.
   struct Marks {
-    std::set<std::size_t> banded = {};         ///< on a broad pale band
-    std::optional<std::size_t> crossing = {};  ///< red, on top of all others
+    std::set<std::size_t> banded = {};         ///< segments on a broad pale band
+    std::optional<std::size_t> crossing = {};  ///< a segment in red, on top of all others
+    std::vector<PlaceId> names = {};  ///< place p is shown as names[p]; as p if there are none
   };
 
   /// @pre both outlive the figure; the map has a place
@@ -42,7 +44,7 @@ class MapFigure {
   std::pair<SvgPoint, SvgPoint> pixels(PlaceArm arm) const;
   void draw_segment(SvgPen& pen, std::size_t segment, const Marks& marks) const;
   void draw_arm(SvgPen& pen, PlaceArm arm, std::size_t path) const;
-  void draw_place(SvgPen& pen, std::size_t p) const;
+  void draw_place(SvgPen& pen, std::size_t p, const Marks& marks) const;
 
   const TopologicalMap& map_;
   const MapDrawing& drawing_;

@@ -111,7 +111,7 @@ std::vector<MapDrawing::Point> corners(const std::string& svg, const std::string
   return points;
 }
 
-const char* const travel_style = "stroke=\"#222222\" stroke-width=\"2\"";
+const char* const travel_style = "fill=\"none\" stroke=\"#222222\" stroke-width=\"2\"";
 
 void check_layout(const std::string& svg) {
   CHECK(is_well_formed(svg));
@@ -137,13 +137,13 @@ void check_layout(const std::string& svg) {
 }  // namespace
 
 TEST_CASE("the picture of a clash shows all of its visits, however many", "[io]") {
-  const std::size_t visits = GENERATE(1, 2, 3, 7, 8, 12, 15, 40);
+  const std::size_t visits = GENERATE(1U, 2U, 3U, 7U, 8U, 12U, 15U, 40U);
   const Trace trace = long_trace(visits);
   const std::string svg = clash_svg(trace, clash_of_all(trace));
   INFO(visits);
   check_layout(svg);
   for (std::size_t k = 0; k < visits; ++k) {
-    CHECK(count_of(svg, ">visit " + std::to_string(k) + "<") == (k == 0 ? 2 : 1));
+    CHECK(count_of(svg, ">visit " + std::to_string(k) + "<") == (k == 0 ? 2U : 1U));
     CHECK(count_of(svg, ">" + std::to_string(k) + "<") == 1);
   }
   CHECK(count_of(svg, "<circle") == visits);
@@ -249,7 +249,7 @@ TEST_CASE(
     return TopologicalMap::Place{Star::parse(star), VisitId(visit)};
   };
   const auto arm = [](std::size_t p, std::size_t a) { return PlaceArm{PlaceId(p), a}; };
-  ClashPicture::Crossing crossing;
+  ClashPicture::Crossing crossing{{}, {}, VisitId(5)};
   crossing.map.places = {place("v+0 h+1 v-1 h-0", 0), place("v+0 h+0 v-1 h-1", 1),
                          place("v+1 h+0 v-0 h-1 d+1 d-0", 2), place("v+1 h+1 v-1 h-0", 3)};
   crossing.map.segments = {{arm(0, 1), arm(1, 3)},
@@ -259,7 +259,6 @@ TEST_CASE(
                            {arm(2, 4), arm(3, 2)}};
   crossing.drawing = draw(crossing.map);
   CHECK_FALSE(crossing.drawing.without_crossings);
-  crossing.visit = VisitId(5);
   crossing.visits = {{VisitId(0), PlaceId(0)}, {VisitId(1), PlaceId(1)}, {VisitId(2), PlaceId(2)},
                      {VisitId(3), PlaceId(3)}, {VisitId(4), PlaceId(2)}, {VisitId(5), PlaceId(3)}};
   crossing.loops = {{PlaceId(0), PlaceId(1), PlaceId(2), PlaceId(3)}};
@@ -274,6 +273,11 @@ TEST_CASE(
                            ">place 0: visit 0<", ">place 2: visits 2, 4<"})
     CHECK(svg.find(text) != std::string::npos);
   CHECK(svg.rfind("#c00000\" stroke-width=\"5\"") > svg.rfind("#0072b2"));
+
+  clash.crossing->names = {PlaceId(7), PlaceId(8), PlaceId(9), PlaceId(10)};
+  const std::string renamed = clash_svg(trace, clash);
+  for (const char* text : {">10</", ">place 7: visit 0<", ">place 9: visits 2, 4<"})
+    CHECK(renamed.find(text) != std::string::npos);
 
   clash.crossing->loops.clear();
   CHECK(count_of(clash_svg(trace, clash), "#ffd9b3") == 0);
