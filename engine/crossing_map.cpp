@@ -1,0 +1,86 @@
+#include "engine/crossing_map.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace asterism {
+namespace {
+
+using Segment = TopologicalMap::Segment;
+
+Segment segment(PlaceArm one, PlaceArm other) {
+  return one < other ? Segment{one, other} : Segment{other, one};
+}
+
+/// The star of each place, as seen at its first visit told of.
+std::map<PlaceId, TopologicalMap::Place> places_of(const Trace& trace, const PartialMap& map,
+                                                   VisitId last) {
+  std::map<PlaceId, TopologicalMap::Place> places;
+  for (std::size_t k = 0; k <= last.index(); ++k)
+    if (map[k])
+      places.try_emplace(map[k]->place, TopologicalMap::Place{trace.visits[k].star, VisitId(k)});
+  return places;
+}
+
+/// Those travelled before the last visit is reached.
+std::set<Segment> segments_of(const Trace& trace, const PartialMap& map,
+                              const std::map<PlaceId, TopologicalMap::Place>& places,
+                              VisitId last) {
+  std::set<Segment> segments;
+  for (std::size_t k = 1; k < last.index(); ++k) {
+    if (!map[k - 1] || !map[k]) continue;
+    const Visit& before = trace.visits[k - 1];
+    const PlaceId from = map[k - 1]->place;
+    const std::size_t left = map[k - 1]->entered
+                                 ? left_arm(before, places.at(from).star, *map[k - 1]->entered)
+                                 : *before.left_by;
+    segments.insert(segment({from, left}, {map[k]->place, *map[k]->entered}));
+  }
+  return segments;
+}
+
+std::set<PlaceId> piece_with(PlaceId start, const std::set<Segment>& segments) {
+  std::set<PlaceId> piece{start};
+  for (std::size_t size = 0; size != piece.size();) {
+    size = piece.size();
+    for (const auto& [one, other] : segments)
+      if (piece.contains(one.place) || piece.contains(other.place))
+        piece.insert({one.place, other.place});
+  }
+  return piece;
+}
+
+}  // namespace
+
+CrossingMap crossing_map(const Trace& trace, const PartialMap& map, const Crossing& crossing) {
+  const auto places = places_of(trace, map, crossing.visit);
+  const std::set<Segment> segments = segments_of(trace, map, places, crossing.visit);
+  const std::set<PlaceId> piece = piece_with(crossing.left.place, segments);
+
+  CrossingMap result;
+  std::map<PlaceId, PlaceId> number;
+  for (const PlaceId place : piece) {
+    number.emplace(place, PlaceId(result.names.size()));
+    result.names.push_back(place);
+    result.map.places.push_back(places.at(place));
+  }
+  const auto renumbered = [&](PlaceArm arm) { return PlaceArm{number.at(arm.place), arm.arm}; };
+  const auto add = [&](const Segment& one) {
+    result.map.segments.push_back(segment(renumbered(one.first), renumbered(one.second)));
+  };
+  for (const Segment& one : segments)
+    if (piece.contains(one.first.place)) add(one);
+  add({crossing.left, crossing.entered});
+
+  for (std::size_t k = 0; k <= crossing.visit.index(); ++k)
+    if (map[k] && piece.contains(map[k]->place))
+      result.visits.emplace_back(VisitId(k), number.at(map[k]->place));
+  for (const auto& loop : crossing.loops) {
+    result.loops.emplace_back();
+    for (const PlaceId place : loop) result.loops.back().push_back(number.at(place));
+  }
+  return result;
+}
+
+}  // namespace asterism
