@@ -11,8 +11,8 @@ void collect(const Term& term, const AxiomSet& axioms, std::vector<const Term*>&
   if (term.kind == Term::Kind::constant &&
       axioms.has_unique_names(axioms.functions().at(term.symbol).result))
     return;
-  const bool is_known = std::any_of(terms.begin(), terms.end(),
-                                    [&](const Term* other) { return *other == term; });
+  const bool is_known =
+      std::any_of(terms.begin(), terms.end(), [&](const Term* other) { return *other == term; });
   if (!is_known) terms.push_back(&term);
 }
 
@@ -146,18 +146,23 @@ std::optional<std::size_t> failure_of_function(const std::string& function,
   return std::nullopt;
 }
 
-std::string model_text(const AxiomSet& axioms, const FiniteModel& model) {
+bool is_own_name(const std::string& function, const FiniteModel& model) {
+  const AxiomSet::Function& signature = model.signature.at(function);
+  return signature.arguments.empty() &&
+         model.elements.at(signature.result)[model.functions.at(function).front().front()] ==
+             function;
+}
+
+std::string model_text(const FiniteModel& model) {
   std::string result;
   const auto add = [&](const std::string& name, const std::string& text) {
     if (!text.empty()) result += (result.empty() ? "" : "; ") + name + ": " + text;
   };
-  for (const auto& [name, values] : model.functions) {
-    const auto& function = axioms.functions().at(name);
-    const bool is_named = function.arguments.empty() && axioms.has_unique_names(function.result);
-    if (!is_named) add(name, function_text(function, model, values));
-  }
+  for (const auto& [name, values] : model.functions)
+    if (!is_own_name(name, model))
+      add(name, function_text(model.signature.at(name), model, values));
   for (const auto& [name, tuples] : model.relations)
-    add(name, relation_text(axioms.functions().at(name), model, tuples));
+    add(name, relation_text(model.signature.at(name), model, tuples));
   return result;
 }
 

@@ -15,6 +15,7 @@ namespace asterism {
 /// A finite structure in the vocabulary of an axiom set: what there is of each sort, and what holds
 /// of it. Elements are numbered from 0 within their sort.
 struct FiniteModel {
+  std::map<std::string, AxiomSet::Function> signature;       ///< of functions and relations
   std::map<std::string, std::vector<std::string>> elements;  ///< names, by sort
   /// Values by argument; a constant is a function of the one argument 0. Each is one value, but for
   /// a function that a model is to have as a mere relation.
@@ -36,9 +37,13 @@ std::optional<std::vector<std::size_t>> failure_of(const Axiom& axiom, const Axi
 std::optional<std::size_t> failure_of_function(const std::string& function,
                                                const FiniteModel& model);
 
-/// In one line: functions, then relations, without those that hold of nothing.
+/// In one line: functions, then relations, without those that hold of nothing and the constants
+/// that elements are called by.
 ///   "place: q0 → p0, q1 → p1; leads: q0 travel q1; order: q0 q1"
-std::string model_text(const AxiomSet& axioms, const FiniteModel& model);
+std::string model_text(const FiniteModel& model);
+
+/// Whether this is a constant, and its element is called by it.
+bool is_own_name(const std::string& function, const FiniteModel& model);
 
 /// The distinct terms of an axiom that are no variables and stand for no constant named apart,
 /// each after its argument.

@@ -34,9 +34,9 @@ std::vector<const Axiom*> assertions_but(const Axiom* one, const AxiomSet& axiom
 Sizes first_sizes(const AxiomSet& axioms, const Axiom& sentence, std::size_t dstates) {
   Sizes sizes;
   for (const auto& [sort, names] : declared_constants(axioms)) {
-    const auto variables = std::count_if(
-        sentence.variables.begin(), sentence.variables.end(),
-        [&, &sort = sort](const auto& variable) { return variable.sort == sort; });
+    const auto variables =
+        std::count_if(sentence.variables.begin(), sentence.variables.end(),
+                      [&, &sort = sort](const auto& variable) { return variable.sort == sort; });
     sizes[sort] = std::max<std::size_t>(1, names.size() + static_cast<std::size_t>(variables));
   }
   sizes["DState"] = std::max(sizes["DState"], dstates);

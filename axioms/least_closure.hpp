@@ -18,8 +18,8 @@ class LeastClosure {
  public:
   /// How many things of each kind there are that the facts speak of.
   struct Extents {
-    std::size_t paths = 0;     ///< classes of directed paths, up to direction, that dstates are along
-    std::size_t places = 0;    ///< classes of places that dstates are at
+    std::size_t paths = 0;   ///< classes of directed paths, up to direction, that dstates are along
+    std::size_t places = 0;  ///< classes of places that dstates are at
     std::size_t segments = 0;  ///< travels, up to direction
     friend bool operator==(const Extents&, const Extents&) = default;
   };

@@ -104,6 +104,7 @@ class GroundModel {
   FiniteModel model() {
     const z3::model found = solver_.get_model();
     FiniteModel result;
+    result.signature = axioms_.functions();
     for (const std::string& sort : axioms_.sorts()) result.elements[sort] = names(sort);
     for (const auto& [name, function] : axioms_.functions()) {
       const auto& propositions = propositions_.at(name);
@@ -201,8 +202,7 @@ class GroundModel {
   std::size_t element(const Instance& instance, const Term& term) const {
     if (term.kind == Term::Kind::variable) return instance.elements[term.variable];
     for (std::size_t i = 0; i < instance.terms.size(); ++i)
-      if (*instance.terms[i] == term)
-        return instance.elements[instance.axiom.variables.size() + i];
+      if (*instance.terms[i] == term) return instance.elements[instance.axiom.variables.size() + i];
     const auto& all = constants_.at(axioms_.functions().at(term.symbol).result);
     return static_cast<std::size_t>(std::find(all.begin(), all.end(), term.symbol) - all.begin());
   }
@@ -283,8 +283,8 @@ class GroundModel {
       const std::size_t argument =
           term.argument.empty() ? 0 : element(instance, term.argument.front());
       const std::size_t values = size(axioms_.functions().at(term.symbol).result);
-      all.push_back(propositions_.at(
-          term.symbol)[argument * values + instance.elements[variables + i]]);
+      all.push_back(
+          propositions_.at(term.symbol)[argument * values + instance.elements[variables + i]]);
     }
     const z3::expr conclusion = formula(instance, instance.axiom.conclusion);
     if (conclusion.is_true()) return std::nullopt;

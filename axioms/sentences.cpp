@@ -14,10 +14,8 @@ Term apply(const std::string& function, Term argument) {
 }
 
 Formula relation(const std::string& name, std::vector<Term> terms) {
-  return {.kind = Formula::Kind::relation,
-          .relation = name,
-          .terms = std::move(terms),
-          .parts = {}};
+  return {
+      .kind = Formula::Kind::relation, .relation = name, .terms = std::move(terms), .parts = {}};
 }
 
 Formula equal(Term one, Term other) {
@@ -28,10 +26,8 @@ Formula equal(Term one, Term other) {
 }
 
 Formula negated(Formula formula) {
-  return {.kind = Formula::Kind::negation,
-          .relation = "",
-          .terms = {},
-          .parts = {std::move(formula)}};
+  return {
+      .kind = Formula::Kind::negation, .relation = "", .terms = {}, .parts = {std::move(formula)}};
 }
 
 Formula both(Formula one, Formula other) {
@@ -79,9 +75,9 @@ std::vector<Axiom> usual_sentences(const AxiomSet& axioms) {
   if (opp != axioms.functions().end() && opp->second.arguments.size() == 1 &&
       opp->second.result == opp->second.arguments.front()) {
     const Term other = apply("opp", variable(0));
-    result.push_back(sentence("two_directions", {{"d", opp->second.result}}, {},
-                              both(equal(apply("opp", other), variable(0)),
-                                   negated(equal(other, variable(0))))));
+    result.push_back(sentence(
+        "two_directions", {{"d", opp->second.result}}, {},
+        both(equal(apply("opp", other), variable(0)), negated(equal(other, variable(0))))));
   }
   return result;
 }

@@ -40,6 +40,15 @@ struct QueryCommand {
   bool only_minimal = false;
 };
 
+struct VerifyCommand {
+  AxiomOptions axioms;
+  std::vector<std::string> traces;  ///< beside those of random worlds
+  std::size_t worlds = 60;
+  std::uint64_t seed = 0;
+  std::optional<std::string> json;  ///< file, or "-"
+  std::optional<double> time_limit_s;
+};
+
 struct SimulateCommand {
   std::string world = "grid";           ///< or "corridors"
   std::optional<std::string> building;  ///< "aces-like" or "office": scans of a drive, not a walk
@@ -95,6 +104,7 @@ struct EvaluateCommand {
 /// Each prints its result on stdout, progress on stderr, and returns the exit code.
 int map_command(const MapCommand& command);
 int query_command(const QueryCommand& command);
+int verify_command(const VerifyCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int run_command(const RunCommand& command);
 int simulate_command(const SimulateCommand& command);

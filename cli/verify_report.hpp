@@ -19,12 +19,14 @@ struct AxiomFinding {
 
 /// Native engine and solver, and what maps count, on traces.
 struct EnginesFinding {
+  bool is_native = true;   ///< the native engine knows the axioms, and was compared
   std::size_t traces = 0;  ///< each taken twice: all maps, and planar ones
   std::uint64_t candidates = 0;
   std::uint64_t hypotheses = 0;           ///< that explain the whole traces
   std::size_t maps_counted = 0;           ///< against the least closure
-  std::size_t certified = 0;              ///< of the traces taken twice, those whose minimal ...
-  std::size_t not_certified = 0;          ///< ... models the solver certified, or not in time
+  std::size_t cut_short = 0;              ///< of twice as many, those with too many maps
+  std::size_t certified = 0;              ///< ... those whose minimal models the solver certified
+  std::size_t not_certified = 0;          ///< ... or did not in time
   std::optional<std::string> difference;  ///< of native and solver, or of a count
   std::optional<Trace> shortest;          ///< ... and a trace that shows it
   std::optional<std::string> remark;      ///< on counts of axioms that are not the shipped ones
@@ -41,8 +43,8 @@ struct ChangeFinding {
 
   std::size_t traces = 0;
   std::size_t traces_that_differ = 0;
-  std::size_t traces_cut_short = 0;    ///< compared no further than there were too many maps
-  std::uint64_t shipped = 0;           ///< hypotheses, as far as traces were compared
+  std::size_t cut_short = 0;  ///< traces compared until there were too many maps
+  std::uint64_t shipped = 0;  ///< hypotheses, as far as traces were compared
   std::uint64_t ours = 0;
   std::uint64_t gained = 0;            ///< of ours, those the shipped axioms refute
   std::uint64_t lost = 0;              ///< of the shipped ones', those ours refute

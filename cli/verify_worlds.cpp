@@ -18,11 +18,10 @@ namespace asterism {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Association = std::vector<Arrival>;
 
-constexpr const char* time_limit = "time limit";
-constexpr std::uint64_t max_hypotheses = 500;  ///< of a trace, where other axioms may leave more
-constexpr double certify_s = 10;               ///< for one trace; tens of milliseconds are used
+/// Of a trace; without some axioms there are more.
+constexpr std::uint64_t max_hypotheses = 1000;
+constexpr double certify_s = 10;  ///< for one trace; tens of milliseconds are used
 
 World random_world(std::uint64_t seed, RandomEngine& engine) {
   switch (seed % 4) {
@@ -37,41 +36,13 @@ World random_world(std::uint64_t seed, RandomEngine& engine) {
   }
 }
 
-/// Trees of one trace, and the data associations they hold.
-MapTree::Options tree_options(const AxiomSet& axioms, Check check, bool planar,
-                              Clock::time_point deadline) {
-  return {.planar = planar, .check = check, .axioms = axioms, .go_on = [=](auto, auto) {
-            return Clock::now() < deadline;
-          }};
-}
-
-std::vector<Association> maps_of(const MapTree& tree) {
-  std::vector<Association> result;
-  tree.for_each([&](HypothesisId, std::span<const Arrival> arrivals) {
-    result.emplace_back(arrivals.begin(), arrivals.end());
-  });
-  std::ranges::sort(result);
-  return result;
-}
-
-/// Children that the solver has to decide: every arm of every place, and a new place.
-std::uint64_t candidates_of(const Trace& trace, std::span<const Association> parents) {
-  std::uint64_t result = 0;
-  for (const Association& parent : parents) {
-    ++result;
-    for (const auto& place : make_map(trace, parent).places) result += place.star.size();
-  }
-  return result;
-}
-
 LeastClosure closure_of(const AxiomSet& axioms, const Trace& trace, const Association& map) {
   ArmTable table;
   for (const Visit& visit : trace.visits) table.append(visit);
   const std::vector<ArmIndex> named = table.named(map);
   std::vector<Fact> facts = general_facts();
   for (std::size_t k = 0; k < named.size(); ++k)
-    std::ranges::copy(visit_facts(table, std::span(named).first(k + 1)),
-                      std::back_inserter(facts));
+    std::ranges::copy(visit_facts(table, std::span(named).first(k + 1)), std::back_inserter(facts));
   return {axioms, facts};
 }
 
@@ -94,6 +65,7 @@ class Engines {
         deadline_(deadline),
         is_shipped_(axioms.is_shipped()),
         has_closure_(LeastClosure::exists(axioms)) {
+    found_.is_native = is_shipped_;
     if (!has_closure_)
       found_.remark = "conclusions leave a choice, so that there is no least closure to count in";
   }
@@ -111,27 +83,57 @@ class Engines {
 
  private:
   bool compare(const Trace& trace, bool planar) {
-    MapTree tree(tree_options(axioms_, is_shipped_ ? Check::both : Check::solver, planar, deadline_));
-    for (std::size_t k = 0; k < trace.visits.size(); ++k) {
-      if (k > 0) found_.candidates += candidates_of(tree.trace(), maps_of(tree));
-      try {
-        if (tree.extend(trace.visits[k]) != MapTree::Growth::complete) return stop(time_limit);
-      } catch (const DifferenceError& error) {
-        found_.difference = error.what();
-        found_.shortest = error.shortest_trace;
-        return false;
-      }
-      if (tree.size() > max_hypotheses)  // of few axioms: what is left says nothing more
+    MapTree tree(options(planar));
+    try {
+      const MapTree::Growth growth = tree.extend(trace.visits);
+      if (growth == MapTree::Growth::stopped) return stop(by_time_limit);
+      if (growth == MapTree::Growth::too_many) {
+        ++found_.cut_short;
         return true;
+      }
+    } catch (const DifferenceError& error) {
+      const DifferenceError shortest = shortest_difference(trace, planar).value_or(error);
+      return differs(shortest.what(), shortest.shortest_trace);
     }
     if (tree.undecided() > 0)
       return stop(fmt::format("{} candidates undecided by the solver", tree.undecided()));
-    const std::vector<Association> maps = maps_of(tree);
+    const std::vector<Association> maps = associations_of(tree);
     found_.hypotheses += maps.size();
+    if (is_shipped_) found_.candidates += candidates_of(trace, planar);
     if (has_closure_ && !planar)
       for (const Association& map : maps)
         if (!count(trace, map)) return false;
     return maps.empty() || certify_minimal(tree, planar);
+  }
+
+  MapTree::Options options(bool planar) const {
+    return verify_tree_options(axioms_, is_shipped_ ? Check::both : Check::solver, planar,
+                               deadline_);
+  }
+
+  /// Growth in one pass may meet a difference of a later visit first.
+  std::optional<DifferenceError> shortest_difference(const Trace& trace, bool planar) const {
+    MapTree tree(options(planar));
+    try {
+      for (const Visit& visit : trace.visits) tree.extend(visit);
+    } catch (const DifferenceError& error) {
+      return error;
+    }
+    return std::nullopt;
+  }
+
+  /// Children that the solver had to decide: every arm of every place, and a new place.
+  std::uint64_t candidates_of(const Trace& trace, bool planar) const {
+    std::uint64_t result = 0;
+    MapTree tree(verify_tree_options(axioms_, Check::native, planar, deadline_));
+    for (std::size_t k = 0; k + 1 < trace.visits.size(); ++k) {
+      tree.extend(trace.visits[k]);
+      tree.for_each([&](HypothesisId, std::span<const Arrival> parent) {
+        ++result;
+        for (const auto& place : make_map(trace, parent).places) result += place.star.size();
+      });
+    }
+    return result;
   }
 
   bool stop(const std::string& why) {
@@ -147,7 +149,7 @@ class Engines {
 
   /// The map's extents, and the closed form of |path|, against the least closure.   [DESIGN §6]
   bool count(const Trace& trace, const Association& association) {
-    if (Clock::now() >= deadline_) return stop(time_limit);
+    if (Clock::now() >= deadline_) return stop(by_time_limit);
     const TopologicalMap map = make_map(trace, association);
     const LeastClosure closure = closure_of(axioms_, trace, association);
     const LeastClosure::Extents told{map.paths.size(), map.places.size(), map.segments.size()};
@@ -161,9 +163,8 @@ class Engines {
     std::size_t arms = 0;
     for (const auto& place : map.places) arms += place.star.size();
     if (arms / 2 - map.segments.size() != map.paths.size()) {
-      const std::string how =
-          fmt::format("{}: the closed form says {} paths, and there are {}", where,
-                      arms / 2 - map.segments.size(), map.paths.size());
+      const std::string how = fmt::format("{}: the closed form says {} paths, and there are {}",
+                                          where, arms / 2 - map.segments.size(), map.paths.size());
       if (is_shipped_) return differs(how, trace);
       found_.remark = "the closed form of |path| does not hold, which nothing depends on: " + how;
     }
@@ -197,70 +198,25 @@ class Engines {
   EnginesFinding found_;
 };
 
-/// Names of axioms of one set that the other does not have.
-std::vector<std::string> names_missing(const AxiomSet& axioms, const AxiomSet& other) {
-  std::vector<std::string> result;
-  for (const Axiom& axiom : axioms.axioms())
-    if (!other.contains(axiom.name)) result.push_back(axiom.name);
-  return result;
+}  // namespace
+
+MapTree::Options verify_tree_options(const AxiomSet& axioms, Check check, bool planar,
+                                     Clock::time_point deadline) {
+  return {.planar = planar,
+          .check = check,
+          .axioms = axioms,
+          .max_hypotheses = max_hypotheses,
+          .go_on = [=](auto, auto) { return Clock::now() < deadline; }};
 }
 
-/// One trace under both, visit by visit.
-class Change {
- public:
-  Change(const AxiomSet& ours, Clock::time_point deadline)
-      : axioms_(ours),
-        deadline_(deadline),
-        check_(ours.is_shipped() ? Check::native : Check::solver) {}
-
-  /// @return  whether to go on
-  bool take(const Trace& trace, ChangeFinding& found) const {
-    MapTree shipped(tree_options(AxiomSet::shipped(), Check::native, false, deadline_));
-    MapTree ours(tree_options(axioms_, check_, false, deadline_));
-    std::vector<Association> theirs_kept, ours_kept;
-    bool differs = false;
-    for (std::size_t k = 0; k < trace.visits.size(); ++k) {
-      if (shipped.size() > max_hypotheses || ours.size() > max_hypotheses) {
-        ++found.traces_cut_short;
-        break;
-      }
-      if (shipped.extend(trace.visits[k]) != MapTree::Growth::complete ||
-          ours.extend(trace.visits[k]) != MapTree::Growth::complete) {
-        found.stopped_by = time_limit;
-        return false;
-      }
-      theirs_kept = maps_of(shipped);
-      ours_kept = maps_of(ours);
-      if (differs || theirs_kept == ours_kept) continue;
-      differs = true;
-      if (found.smallest && found.smallest->visits.size() <= k + 1) continue;
-      found.smallest = ours.trace();
-      found.smallest->name = trace.name;
-      found.smallest_shipped = theirs_kept.size();
-      found.smallest_ours = ours_kept.size();
-    }
-    if (ours.undecided() > 0) {
-      found.stopped_by = fmt::format("{} candidates undecided by the solver", ours.undecided());
-      return false;
-    }
-    ++found.traces;
-    found.traces_that_differ += differs ? 1 : 0;
-    found.shipped += theirs_kept.size();
-    found.ours += ours_kept.size();
-    std::vector<Association> only;
-    std::ranges::set_difference(ours_kept, theirs_kept, std::back_inserter(only));
-    found.gained += only.size();
-    found.lost += theirs_kept.size() + only.size() - ours_kept.size();
-    return true;
-  }
-
- private:
-  const AxiomSet& axioms_;
-  Clock::time_point deadline_;
-  Check check_;
-};
-
-}  // namespace
+std::vector<Association> associations_of(const MapTree& tree) {
+  std::vector<Association> result;
+  tree.for_each([&](HypothesisId, std::span<const Arrival> arrivals) {
+    result.emplace_back(arrivals.begin(), arrivals.end());
+  });
+  std::ranges::sort(result);
+  return result;
+}
 
 Trace random_trace(std::uint64_t seed) {
   RandomEngine engine(seed);
@@ -279,26 +235,6 @@ EnginesFinding compare_engines(const AxiomSet& axioms, std::span<const Trace> tr
   for (const Trace& trace : traces)
     if (!engines.take(trace)) break;
   return std::move(engines).found();
-}
-
-ChangeFinding compare_with_shipped(const AxiomSet& axioms, std::span<const Trace> traces,
-                                   Clock::time_point deadline) {
-  const AxiomSet shipped = AxiomSet::shipped();
-  ChangeFinding found;
-  found.added = names_missing(axioms, shipped);
-  found.removed = names_missing(shipped, axioms);
-  for (const Axiom& axiom : axioms.axioms())
-    for (const Axiom& other : shipped.axioms())
-      if (axiom.name == other.name && !same_statement(axiom, other))
-        found.changed.push_back(axiom.name);
-  if (axioms.preference() != shipped.preference()) {
-    found.preference = axioms.preference();
-    found.shipped_preference = shipped.preference();
-  }
-  const Change change(axioms, deadline);
-  for (const Trace& trace : traces)
-    if (!change.take(trace, found)) break;
-  return found;
 }
 
 }  // namespace asterism

@@ -2,12 +2,24 @@
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <span>
+#include <vector>
 
 #include "cli/verify_report.hpp"
+#include "engine/map_tree.hpp"
 
 namespace asterism {
+
+using Association = std::vector<Arrival>;
+
+inline constexpr const char* by_time_limit = "time limit";
+
+/// Trees that stop at the deadline, and where there are more maps than can be compared.
+MapTree::Options verify_tree_options(const AxiomSet& axioms, Check check, bool planar,
+                                     std::chrono::steady_clock::time_point deadline);
+
+/// The hypotheses of a tree, sorted.
+std::vector<Association> associations_of(const MapTree& tree);
 
 /// A walk through a random world, a grid or corridors, of a few travels: the seed says which.
 Trace random_trace(std::uint64_t seed);

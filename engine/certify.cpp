@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -102,12 +103,17 @@ class PreferredMap {
                                 table_.view(table_.opposite(table_.entered(k))));
     const auto [entry, is_first] = may_show_.try_emplace(view, true);
     if (is_first) {
-      AxiomSolver solver(axioms_, milliseconds_until(deadline_));
-      solver.add(general_facts());
-      solver.add(place_facts(table_, table_.visit_of(arm)));
+      // One solver for all: to make one costs more than what it is asked.
+      if (!views_) {
+        views_.emplace(axioms_, milliseconds_until(deadline_));
+        views_->add(general_facts());
+      }
+      views_->push();
+      views_->add(place_facts(table_, table_.visit_of(arm)));
       const auto facts = travel_facts(table_, k, arm, arm);
-      solver.add(std::span(facts).first(1));  // what was seen, not the travel
-      entry->second = solver.check() != Verdict::inconsistent;
+      views_->add(std::span(facts).first(1));  // what was seen, not the travel
+      entry->second = views_->check() != Verdict::inconsistent;
+      views_->pop();
     }
     return entry->second;
   }
@@ -254,6 +260,7 @@ class PreferredMap {
   Z3Vocabulary vocabulary_;
   std::vector<std::vector<ArmIndex>> choices_;  ///< of each visit
   std::vector<z3::expr> linked_;                ///< one a gateway that may get a segment
+  std::optional<AxiomSolver> views_;            ///< decides what may be seen where
   std::map<std::pair<ArmIndex, ArmIndex>, bool> may_show_;
   std::set<unsigned> asserted_;  ///< ids of formulas, valid while ...
   std::vector<z3::expr> kept_;   ///< ... they are kept
