@@ -40,7 +40,7 @@ void add_verify(CLI::App& app, VerifyCommand& command, std::function<int()>& cho
 Of each axiom: a small model in which it alone fails, or the proof that the others imply it. Of all
 together: a model with a travel. On walks through random worlds, and the traces given: that native
 engine and solver keep the same maps, and that maps count what the axioms force. With axioms of your
-own: what changes against the shipped ones.
+own: what changes against the shipped ones, there and on the visits of the ACES log.
 Exit code: 0 all is well, even if an axiom is implied, 1 the axioms allow no travel, or something
 differs, 2 undecided or stopped by the time limit, 64 usage, 65 bad input, 70 internal fault or a
 result that cannot be written.)");

@@ -110,25 +110,34 @@ Json json_of(const ChangeFinding& found) {
 }  // namespace
 
 std::string verify_json(const VerifyReport& report) {
-  Json result{{"format", "asterism/verification"}, {"version", 1}};
-  result["options"] = {{"axioms", report.axioms},
-                       {"optional_axioms", report.optional_axioms},
-                       {"worlds", report.worlds},
-                       {"seed", report.seed},
-                       {"traces", report.files}};
-  result["axioms"] = Json::array();
-  for (const AxiomFinding& finding : report.findings) result["axioms"].push_back(json_of(finding));
-  // What is asked of all axioms is whether they imply that there is no travel.
-  result["together"] = json_of(report.together);
-  result["together"]["satisfiable"] = report.together.kind == Kind::undecided
-                                          ? Json()
-                                          : Json(report.together.kind == Kind::independent);
-  result["together"].erase("verdict");
-  result["engines"] = report.engines ? json_of(*report.engines) : Json();
-  result["change"] = report.change ? json_of(*report.change) : Json();
-  result["faults"] = faults_of(report);
-  result["undecided"] = undecided_of(report);
-  return result.dump(2) + "\n";
+  const Json head{{"format", "asterism/verification"},
+                  {"version", 1},
+                  {"options",
+                   {{"axioms", report.axioms},
+                    {"optional_axioms", report.optional_axioms},
+                    {"worlds", report.worlds},
+                    {"seed", report.seed},
+                    {"traces", report.files}}}};
+  // An axiom a line.
+  std::string text = head.dump();
+  text.pop_back();
+  text += ",\n  \"axioms\": [";
+  for (const AxiomFinding& finding : report.findings)
+    text += (text.ends_with('[') ? "\n    " : ",\n    ") + json_of(finding).dump();
+  text += "]";
+  const auto add = [&](const std::string& key, const Json& value) {
+    text += ",\n  \"" + key + "\": " + value.dump();
+  };
+  Json together = json_of(report.together);
+  together["verdict"] = report.together.kind == Kind::independent ? "satisfiable"
+                        : report.together.kind == Kind::implied   ? "unsatisfiable"
+                                                                  : "undecided";
+  add("together", together);
+  add("engines", report.engines ? json_of(*report.engines) : Json());
+  add("change", report.change ? json_of(*report.change) : Json());
+  add("faults", faults_of(report));
+  add("undecided", undecided_of(report));
+  return text + "}\n";
 }
 
 }  // namespace asterism

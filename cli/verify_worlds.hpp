@@ -24,6 +24,9 @@ std::vector<Association> associations_of(const MapTree& tree);
 /// A walk through a random world, a grid or corridors, of a few travels: the seed says which.
 Trace random_trace(std::uint64_t seed);
 
+/// The fifteen visits to the places of the building of the ACES log, in its order.
+Trace ring_trace();
+
 /// Compares native engine and solver at every candidate of every trace, all maps and planar ones,
 /// where the native engine knows the axioms; counts paths, places and segments of every map in the
 /// least closure of the axioms, and has minimal models certified. Ends at the first difference.
