@@ -94,7 +94,7 @@ class Engines {
       }
     } catch (const DifferenceError& error) {
       const DifferenceError shortest = shortest_difference(trace, planar).value_or(error);
-      return differs(shortest.what(), shortest.shortest_trace);
+      return differs(shortest.what(), shortest.shortest_trace, trace.name);
     }
     if (tree.undecided() > 0)
       return stop(fmt::format("{} candidates undecided by the solver", tree.undecided()));
@@ -104,7 +104,7 @@ class Engines {
     if (has_closure_ && !planar)
       for (const Association& map : maps)
         if (!count(trace, map)) return false;
-    return maps.empty() || certify_minimal(tree, planar);
+    return maps.empty() || certify_minimal(tree, planar, trace.name);
   }
 
   MapTree::Options options(bool planar) const {
@@ -142,9 +142,10 @@ class Engines {
     return false;
   }
 
-  bool differs(const std::string& how, const Trace& trace) {
+  bool differs(const std::string& how, const Trace& trace, const std::string& name) {
     found_.difference = how;
     found_.shortest = trace;
+    found_.shortest->name = name;  // a tree does not keep it
     return false;
   }
 
@@ -156,17 +157,17 @@ class Engines {
     const LeastClosure::Extents told{map.paths.size(), map.places.size(), map.segments.size()};
     const std::string where = "visits at places" + places_text(association);
     if (closure.is_contradictory())
-      return differs(where + ": a map was kept that the axioms contradict", trace);
+      return differs(where + ": a map was kept that the axioms contradict", trace, trace.name);
     if (closure.extents() != told)
       return differs(fmt::format("{}: the map has {}, the axioms force {}", where, text(told),
                                  text(closure.extents())),
-                     trace);
+                     trace, trace.name);
     std::size_t arms = 0;
     for (const auto& place : map.places) arms += place.star.size();
     if (arms / 2 != map.paths.size() + map.segments.size()) {
       const std::string how = fmt::format("{}: {} arms and {} segments, but {} paths", where, arms,
                                           map.segments.size(), map.paths.size());
-      if (is_shipped_) return differs(how, trace);
+      if (is_shipped_) return differs(how, trace, trace.name);
       if (!found_.remark)
         found_.remark = "|paths| = arms / 2 - segments does not always hold: " + how;
     }
@@ -174,7 +175,7 @@ class Engines {
     return true;
   }
 
-  bool certify_minimal(const MapTree& tree, bool planar) {
+  bool certify_minimal(const MapTree& tree, bool planar, const std::string& name) {
     std::vector<Association> models;
     tree.for_each(tree.minimal(), [&](HypothesisId, std::span<const Arrival> arrivals) {
       models.emplace_back(arrivals.begin(), arrivals.end());
@@ -190,7 +191,7 @@ class Engines {
       case Certificate::refuted:
         break;
     }
-    return differs("the solver refutes the minimal models", tree.trace());
+    return differs("the solver refutes the minimal models", tree.trace(), name);
   }
 
   const AxiomSet& axioms_;

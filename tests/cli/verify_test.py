@@ -215,11 +215,11 @@ class Own(WithAxioms):
 
     def test_an_axiom_left_out(self):
         self.replace("transitive")
-        code, found = verify("--axioms", self.axioms, "--worlds", "12", "--seed", "5")
+        code, found = verify("--axioms", self.axioms, "--worlds", "1", "--seed", "38")
         change = found["change"]
         self.assertEqual((code, change["removed"], change["added"]), (0, ["transitive"], []))
         self.assertGreater(change["traces_that_differ"], 0)
-        self.assertGreaterEqual(change["more"], 0)
+        self.assertGreater(change["more"], 0)
         self.assertEqual(change["maps"], change["shipped_maps"] + change["more"] - change["fewer"])
         self.assertFalse(found["engines"]["native_compared"])
         self.check_smallest(change)
@@ -320,7 +320,8 @@ class Docs(WithAxioms):
         optional = ["--axiom", "one_segment", "--axiom", "one_crossing"]
         self.assertIn(implied, run("verify", "--worlds", "0", *optional).stdout)
         self.replace("transitive")
-        self.assertIn(change, run("verify", "--axioms", self.axioms, "--worlds", "6").stdout)
+        self.assertIn(change, run("verify", "--axioms", self.axioms, "--worlds", "2",
+                                    "--seed", "38").stdout)
 
     def test_help_has_examples(self):
         done = run("verify", "--help")
