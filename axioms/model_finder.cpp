@@ -12,12 +12,6 @@ using Sizes = std::map<std::string, std::size_t>;
 
 constexpr std::size_t max_instances = 200'000;  ///< of one axiom: some seconds of grounding
 
-/// Milliseconds left for Z3, which takes 0 for no limit.
-unsigned milliseconds_until(Clock::time_point deadline) {
-  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-  return static_cast<unsigned>(std::clamp<long long>(left.count(), 1, 3'600'000));
-}
-
 /// The axioms as propositions about finitely many elements.
 class GroundModel {
  public:
@@ -53,9 +47,14 @@ class GroundModel {
 
   Verdict check(Clock::time_point deadline) {
     if (Clock::now() >= deadline) return Verdict::undecided;
-    z3::params parameters(context_);
-    parameters.set("timeout", milliseconds_until(deadline));
-    solver_.set(parameters);
+    // A limit costs a thread for each of many short questions: none is set that would not matter.
+    if (deadline - Clock::now() < std::chrono::hours(1)) {
+      z3::params parameters(context_);
+      const auto left =
+          std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+      parameters.set("timeout", static_cast<unsigned>(std::max<long long>(1, left.count())));
+      solver_.set(parameters);
+    }
     switch (solver_.check()) {
       case z3::sat:
         return Verdict::consistent;

@@ -43,7 +43,7 @@ struct QueryCommand {
 struct VerifyCommand {
   AxiomOptions axioms;
   std::vector<std::string> traces;  ///< beside those of random worlds
-  std::size_t worlds = 60;
+  std::size_t worlds = 40;
   std::uint64_t seed = 0;
   std::optional<std::string> json;  ///< file, or "-"
   std::optional<double> time_limit_s;

@@ -82,7 +82,8 @@ class Change {
 }  // namespace
 
 ChangeFinding compare_with_shipped(const AxiomSet& axioms, std::span<const Trace> traces,
-                                   Clock::time_point deadline) {
+                                   Clock::time_point deadline,
+                                   const std::function<void(std::size_t)>& progress) {
   const AxiomSet shipped = AxiomSet::shipped();
   ChangeFinding found;
   found.added = names_missing(axioms, shipped);
@@ -96,8 +97,7 @@ ChangeFinding compare_with_shipped(const AxiomSet& axioms, std::span<const Trace
     found.shipped_preference = shipped.preference();
   }
   const Change change(axioms, deadline);
-  for (const Trace& trace : traces)
-    if (!change.take(trace, found)) break;
+  for (std::size_t i = 0; i < traces.size() && change.take(traces[i], found); ++i) progress(i + 1);
   return found;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
@@ -15,6 +16,26 @@ namespace asterism {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr auto between_lines = std::chrono::seconds(5);
+
+/// Tells on stderr how far a long comparison is.
+class TracesDone {
+ public:
+  explicit TracesDone(std::size_t traces) : traces_(traces) {}
+
+  void operator()(std::size_t done) {
+    const auto now = Clock::now();
+    if (now - told_ < between_lines) return;
+    told_ = now;
+    fmt::print(stderr, "{} of {} traces\n", done, traces_);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::size_t traces_;
+  Clock::time_point told_ = Clock::now();
+};
 
 Clock::time_point deadline_of(const VerifyCommand& command) {
   const double seconds = std::min(command.time_limit_s.value_or(1e8), 1e8);  // three years
@@ -66,11 +87,11 @@ int verify_command(const VerifyCommand& command) {
   report.findings = findings_of(command, axioms, deadline);
   report.together = model_with_travel(axioms, deadline);
   done("axioms");
-  report.engines = compare_engines(axioms, traces, deadline);
+  report.engines = compare_engines(axioms, traces, deadline, TracesDone(traces.size()));
   done("engines");
   if (command.axioms.folder) {
     traces.push_back(ring_trace());
-    report.change = compare_with_shipped(axioms, traces, deadline);
+    report.change = compare_with_shipped(axioms, traces, deadline, TracesDone(traces.size()));
     done("change");
   }
 

@@ -241,10 +241,10 @@ Trace ring_trace() {
 }
 
 EnginesFinding compare_engines(const AxiomSet& axioms, std::span<const Trace> traces,
-                               Clock::time_point deadline) {
+                               Clock::time_point deadline,
+                               const std::function<void(std::size_t)>& progress) {
   Engines engines(axioms, deadline);
-  for (const Trace& trace : traces)
-    if (!engines.take(trace)) break;
+  for (std::size_t i = 0; i < traces.size() && engines.take(traces[i]); ++i) progress(i + 1);
   return std::move(engines).found();
 }
 

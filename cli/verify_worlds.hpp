@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,11 +31,14 @@ Trace ring_trace();
 /// Compares native engine and solver at every candidate of every trace, all maps and planar ones,
 /// where the native engine knows the axioms; counts paths, places and segments of every map in the
 /// least closure of the axioms, and has minimal models certified. Ends at the first difference.
+/// @param progress  told how many traces are done
 EnginesFinding compare_engines(const AxiomSet& axioms, std::span<const Trace> traces,
-                               std::chrono::steady_clock::time_point deadline);
+                               std::chrono::steady_clock::time_point deadline,
+                               const std::function<void(std::size_t)>& progress);
 
 /// Compares what axioms say, and which hypotheses of the traces they leave, with the shipped ones.
 ChangeFinding compare_with_shipped(const AxiomSet& axioms, std::span<const Trace> traces,
-                                   std::chrono::steady_clock::time_point deadline);
+                                   std::chrono::steady_clock::time_point deadline,
+                                   const std::function<void(std::size_t)>& progress);
 
 }  // namespace asterism

@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Kind = Independence::Kind;
 
-Clock::time_point later() { return Clock::now() + std::chrono::minutes(5); }
+Clock::time_point later() { return Clock::now() + std::chrono::hours(2); }
 
 /// The shipped declarations, and these assertions alone.
 AxiomSet only(const std::string& assertions) {
