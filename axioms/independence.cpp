@@ -95,6 +95,7 @@ Independence search(const Axiom& sentence, const AxiomSet& axioms, ModelWanted w
   const Axiom turns = turns_are_turns();
   wanted.hold.push_back(&turns);
   Independence result;
+  if (Clock::now() >= deadline) return result;
   if (!sentence.by_signature)
     if (auto proof = ground_proof(sentence, axioms, wanted.hold, milliseconds_until(deadline))) {
       result.kind = Independence::Kind::implied;

@@ -301,6 +301,7 @@ class GroundModel {
 
 ModelFound find_of_sizes(const AxiomSet& axioms, const ModelWanted& wanted, const Sizes& sizes,
                          bool without_tuples, Clock::time_point deadline) {
+  if (Clock::now() >= deadline) return {};
   return guarded_z3([&]() -> ModelFound {
     GroundModel ground(axioms, sizes);
     if (!ground.add(wanted)) return {};

@@ -51,6 +51,8 @@ std::string verdict_text(const AxiomFinding& finding) {
                          failure_text(finding.axiom, finding.independence.failure),
                          model_text(*finding.independence.model));
     case Kind::implied:
+      if (finding.independence.proof.empty())
+        return fmt::format("  {}implied: it cannot fail, whatever holds\n", put_in);
       return fmt::format("  {}implied: where it fails, these cannot all hold\n{}", put_in,
                          proof_text(finding.independence.proof));
     case Kind::undecided:

@@ -151,7 +151,7 @@ TEST_CASE("what is said of random axioms is what all small structures say",
   const std::vector<Tiny> all = every_tiny();
   std::mt19937 random(1988);
   std::map<Kind, int> times;
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 30; ++i) {
     std::vector<Sentence> sentences;
     std::string text;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -171,8 +171,8 @@ TEST_CASE("what is said of random axioms is what all small structures say",
       ++times[kind];
     }
   }
-  CHECK(times[Kind::independent] > 20);
-  CHECK(times[Kind::implied] > 20);
+  CHECK(times[Kind::independent] > 12);
+  CHECK(times[Kind::implied] > 12);
 }
 
 TEST_CASE("evaluation of models is that of all small structures",
@@ -226,6 +226,16 @@ TEST_CASE("an axiom that others imply is found so, with the instances", "[axioms
 (assert (! (forall ((s DState) (t DState)) (=> (leads s travel t) (order s t))) :named again)))");
   CHECK(kind_of(twice, "again") == Kind::implied);
   CHECK(kind_of(twice, "order") == Kind::implied);
+}
+
+TEST_CASE("what cannot fail is implied by nothing", "[axioms][independence]") {
+  // Actions have unique names.
+  const AxiomSet axioms = only(R"(
+(assert (! (forall ((a Action)) (=> (and (is_turn a) (= a travel)) (not (= a turn_around))))
+  :named apart)))");
+  const Independence found = independence(axiom_named(axioms, "apart"), axioms, later());
+  CHECK(found.kind == Kind::implied);
+  CHECK(found.proof.empty());
 }
 
 TEST_CASE("sorts that functions make are quantified over as well", "[axioms][independence]") {

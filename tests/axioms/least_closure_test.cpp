@@ -149,6 +149,18 @@ TEST_CASE("a travel and its way back are one segment", "[axioms][closure]") {
   CHECK(LeastClosure(axioms, facts).is_contradictory());
 }
 
+TEST_CASE("functions of equal terms are equal", "[axioms][closure]") {
+  AxiomFiles files = shipped_files();
+  files["more.smt2"] =
+      "(assert (! (forall ((q DState) (r DState) (v View)) (=> (and (sees q v) (sees r v) "
+      "(= (opp (along q)) (opp (along r)))) (next q r))) :named more))";
+  const AxiomSet axioms = AxiomSet::parse(files);
+  const std::vector<Fact> facts{
+      {"sees", {"q", "v0"}}, {"sees", {"r", "v0"}}, {"leads", {"q", "travel", "r"}}};
+  CHECK(LeastClosure(axioms, facts).holds({"next", {"r", "q"}}));
+  CHECK_FALSE(LeastClosure(axioms, std::span(facts).first(2)).holds({"next", {"r", "q"}}));
+}
+
 TEST_CASE("where conclusions leave a choice there is no least closure", "[axioms][closure]") {
   AxiomFiles files = shipped_files();
   for (const std::string formula : {"(=> (opposite q r) (or (order q r) (order r q)))",
