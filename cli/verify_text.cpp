@@ -168,6 +168,9 @@ std::vector<std::string> undecided_of(const VerifyReport& report) {
     result.push_back("whether the axioms are satisfiable with a travel");
   if (report.engines && report.engines->not_certified > 0)
     result.push_back("whether some minimal models are minimal");
+  if (report.engines && report.engines->is_native && report.engines->cut_short > 0)
+    result.push_back("traces left out for too many maps: " +
+                     plural(report.engines->cut_short, "time"));
   if (report.engines && report.engines->stopped_by)
     result.push_back("the rest of the traces: stopped by " + *report.engines->stopped_by);
   if (report.change && report.change->stopped_by)

@@ -85,8 +85,12 @@ class Engines {
  private:
   bool compare(const Trace& trace, bool planar) {
     MapTree tree(options(planar));
+    Candidates candidates;
     try {
-      const MapTree::Growth growth = tree.extend(trace.visits);
+      // The native engine alone soon knows where there are too many maps.
+      if (is_shipped_) candidates = candidates_of(trace, planar);
+      MapTree::Growth growth = candidates.growth;
+      if (growth == MapTree::Growth::complete) growth = tree.extend(trace.visits);
       if (growth == MapTree::Growth::stopped) return stop(by_time_limit);
       if (growth == MapTree::Growth::too_many) {
         ++found_.cut_short;
@@ -100,7 +104,7 @@ class Engines {
       return stop(fmt::format("{} candidates undecided by the solver", tree.undecided()));
     const std::vector<Association> maps = associations_of(tree);
     found_.hypotheses += maps.size();
-    if (is_shipped_) found_.candidates += candidates_of(trace, planar);
+    found_.candidates += candidates.count;
     if (has_closure_ && !planar)
       for (const Association& map : maps)
         if (!count(trace, map)) return false;
@@ -123,16 +127,21 @@ class Engines {
     return std::nullopt;
   }
 
-  /// Children that the solver had to decide: every arm of every place, and a new place.
-  std::uint64_t candidates_of(const Trace& trace, bool planar) const {
-    std::uint64_t result = 0;
+  struct Candidates {
+    MapTree::Growth growth = MapTree::Growth::complete;
+    std::uint64_t count = 0;
+  };
+  /// Children that the solver has to decide: every arm of every place, and a new place.
+  Candidates candidates_of(const Trace& trace, bool planar) const {
+    Candidates result;
     MapTree tree(verify_tree_options(axioms_, Check::native, planar, deadline_));
-    for (std::size_t k = 0; k + 1 < trace.visits.size(); ++k) {
-      tree.extend(trace.visits[k]);
+    for (const Visit& visit : trace.visits) {
       tree.for_each([&](HypothesisId, std::span<const Arrival> parent) {
-        ++result;
-        for (const auto& place : make_map(trace, parent).places) result += place.star.size();
+        ++result.count;
+        for (const auto& place : make_map(trace, parent).places) result.count += place.star.size();
       });
+      result.growth = tree.extend(visit);
+      if (result.growth != MapTree::Growth::complete) break;
     }
     return result;
   }

@@ -184,6 +184,13 @@ class Shipped(Folder):
         self.assertIn("stopped by time limit\n", done.stdout)
         self.assertNotIn("all is well", done.stdout)
 
+    def test_a_trace_of_too_many_maps_is_left_out_and_said_so(self):
+        big = self.folder / "big.trace.json"
+        run("simulate", "--seed", "8", "--travels", "40", "--missing", "0", "-o", big)
+        code, found = verify("--worlds", "0", big)
+        self.assertEqual((code, found["engines"]["cut_short"]), (2, 2))
+        self.assertEqual(found["undecided"], ["traces left out for too many maps: 2 times"])
+
 
 class WithAxioms(Folder):
     def setUp(self):
