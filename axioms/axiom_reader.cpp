@@ -68,6 +68,7 @@ AxiomSet AxiomReader::read(const std::map<std::string, std::string>& files,
           Axiom axiom;
           axiom.name = title->name;
           axiom.by_signature = true;
+          axiom.function = form.list[1].symbol;
           document(axiom, form);
           add(std::move(axiom), form);
         }

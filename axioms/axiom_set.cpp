@@ -50,7 +50,8 @@ std::vector<Axiom> assertions(const AxiomSet& axioms) {
   return result;
 }
 
-/// What an axiom says, without its place and comment.
+}  // namespace
+
 bool same_statement(const Axiom& a, const Axiom& b) {
   const auto sorts = [](const Axiom& axiom) {
     std::vector<std::string> result;
@@ -58,10 +59,8 @@ bool same_statement(const Axiom& a, const Axiom& b) {
     return result;
   };
   return a.name == b.name && sorts(a) == sorts(b) && a.premise == b.premise &&
-         a.conclusion == b.conclusion;
+         a.conclusion == b.conclusion && a.function == b.function;
 }
-
-}  // namespace
 
 AxiomSet AxiomSet::parse(const std::map<std::string, std::string>& files,
                          const std::string& where) {

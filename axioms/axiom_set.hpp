@@ -48,11 +48,16 @@ struct Axiom {
   std::string file;
   std::size_t line = 0;
   bool by_signature = false;  ///< said by a declaration, not by an assertion
+  std::string function;       ///< ... of this
 
   std::vector<Variable> variables;
   std::vector<Formula> premise;  ///< all of these
   Formula conclusion;
 };
+
+/// Whether two axioms have one name and say the same, whatever their comments and the names of
+/// variables.
+bool same_statement(const Axiom& a, const Axiom& b);
 
 /// Axioms and preference, as read from files.                               [DESIGN §5, §6]
 class AxiomSet {

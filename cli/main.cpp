@@ -293,6 +293,7 @@ int run(int argc, char** argv) {
   MapCommand map;
   QueryCommand query;
   ExplainCommand explain;
+  VerifyCommand verify;
   PerceiveCommand perceive;
   RunCommand whole;
   SimulateCommand simulate;
@@ -303,6 +304,7 @@ int run(int argc, char** argv) {
   add_map(app, map, chosen);
   add_query(app, query, chosen);
   add_explain(app, explain, chosen);
+  add_verify(app, verify, chosen);
   add_perceive(app, perceive, chosen);
   add_run(app, whole, chosen);
   add_simulate(app, simulate, chosen);

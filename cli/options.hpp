@@ -48,6 +48,15 @@ struct ExplainCommand {
 };
 inline constexpr double default_explain_s = 60;
 
+struct VerifyCommand {
+  AxiomOptions axioms;
+  std::vector<std::string> traces;  ///< beside those of random worlds
+  std::size_t worlds = 40;
+  std::uint64_t seed = 0;
+  std::optional<std::string> json;  ///< file, or "-"
+  std::optional<double> time_limit_s;
+};
+
 struct SimulateCommand {
   std::string world = "grid";           ///< or "corridors"
   std::optional<std::string> building;  ///< "aces-like" or "office": scans of a drive, not a walk
@@ -104,6 +113,7 @@ struct EvaluateCommand {
 int map_command(const MapCommand& command);
 int query_command(const QueryCommand& command);
 int explain_command(const ExplainCommand& command);
+int verify_command(const VerifyCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int run_command(const RunCommand& command);
 int simulate_command(const SimulateCommand& command);

@@ -77,4 +77,34 @@ cannot be written.)");
   explain.callback([&] { chosen = [&] { return explain_command(command); }; });
 }
 
+void add_verify(CLI::App& app, VerifyCommand& command, std::function<int()>& chosen) {
+  CLI::App& verify = *app.add_subcommand("verify", "Check the axioms, and who decides by them");
+  verify.footer(R"(Examples:
+  asterism verify
+  asterism verify --worlds 200 --seed 1000 --json -
+  asterism verify --axioms my-axioms examples/aces-stubs.trace.json
+Of each axiom: a small model in which it alone fails, or the proof that the others imply it. Of all
+together: a model with a travel. On walks through random worlds, and the traces given: that native
+engine and solver keep the same maps, and that maps count what the axioms force. With axioms of your
+own: what changes against the shipped ones, there and on the visits of the ACES log.
+Exit code: 0 all is well, even if an axiom is implied, 1 the axioms allow no travel, or something
+differs, 2 undecided or stopped by the time limit, 64 usage, 65 bad input, 70 internal fault or a
+result that cannot be written.)");
+  verify.add_option("traces", command.traces, "Trace files to compare on, beside random walks");
+  add_axiom_options(verify, command.axioms);
+  verify.add_option("--worlds", command.worlds, "Random worlds to walk through")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100'000))
+      ->capture_default_str();
+  verify.add_option("--seed", command.seed, "Seed of the first of them; the others count on")
+      ->check(whole_number)
+      ->capture_default_str();
+  verify.add_option("--json", command.json, "Write what was found as JSON; -: alone on stdout")
+      ->type_name("FILE");
+  verify.add_option("--time-limit", command.time_limit_s, "Stop after this many seconds")
+      ->type_name("S")
+      ->check(seconds);
+  verify.callback([&] { chosen = [&] { return verify_command(command); }; });
+}
+
 }  // namespace asterism
