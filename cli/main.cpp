@@ -292,6 +292,7 @@ int run(int argc, char** argv) {
 
   MapCommand map;
   QueryCommand query;
+  NextCommand next;
   PerceiveCommand perceive;
   RunCommand whole;
   SimulateCommand simulate;
@@ -301,6 +302,7 @@ int run(int argc, char** argv) {
   std::function<int()> chosen;
   add_map(app, map, chosen);
   add_query(app, query, chosen);
+  add_next(app, next, chosen);
   add_perceive(app, perceive, chosen);
   add_run(app, whole, chosen);
   add_simulate(app, simulate, chosen);

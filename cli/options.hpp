@@ -6,6 +6,7 @@
 
 #include "axioms/axiom_set.hpp"
 #include "core/map_report.hpp"
+#include "engine/exits.hpp"
 #include "io/carmen_log.hpp"
 #include "perception/scan_detector.hpp"
 
@@ -38,6 +39,11 @@ struct QueryCommand {
   MapCommand map;  ///< what maps to ask
   std::vector<std::string> queries;
   bool only_minimal = false;
+};
+
+struct NextCommand {
+  MapCommand map;  ///< what maps to go on from
+  ExitBounds bounds;
 };
 
 struct SimulateCommand {
@@ -95,6 +101,7 @@ struct EvaluateCommand {
 /// Each prints its result on stdout, progress on stderr, and returns the exit code.
 int map_command(const MapCommand& command);
 int query_command(const QueryCommand& command);
+int next_command(const NextCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int run_command(const RunCommand& command);
 int simulate_command(const SimulateCommand& command);

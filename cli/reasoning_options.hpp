@@ -14,5 +14,6 @@ namespace asterism {
 // where one is chosen, so is what runs it.
 
 void add_query(CLI::App& app, QueryCommand& command, std::function<int()>& chosen);
+void add_next(CLI::App& app, NextCommand& command, std::function<int()>& chosen);
 
 }  // namespace asterism
