@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/exploration_table.hpp"
 #include "benchmarks/metric.hpp"
 #include "benchmarks/perception.hpp"
 #include "benchmarks/tables.hpp"
@@ -54,6 +55,7 @@ void add_map_tables(Report& report, const Scale& scale, const Programs& programs
 }
 
 int run(int argc, char** argv) {
+  bool exploration = false;
   bool metric = false;
   bool perception = false;
   bool quick = false;
@@ -64,6 +66,7 @@ int run(int argc, char** argv) {
   app.add_flag("--quick", quick, "without clingo on the largest trace");
   app.add_flag("--smoke", smoke, "the smallest traces alone, once: are the counts right?");
   app.add_flag("--perception", perception, "perception alone, without any count");
+  app.add_flag("--exploration", exploration, "exploration alone, without any count");
   app.add_flag("--metric", metric, "the metric level alone, without any count");
   app.add_option("--output", output, "Markdown file to write; stdout where not given");
   app.add_option("--asterism", program, "the program to measure")->capture_default_str();
@@ -79,9 +82,10 @@ int run(int argc, char** argv) {
                               : Scale{};
   const Programs programs(program, ASTERISM_SOURCE_DIR "/benchmarks");
   Report report;
-  const bool all = !perception && !metric;
+  const bool all = !exploration && !perception && !metric;
   const std::size_t most_scans = smoke ? 300 : SIZE_MAX;
   if (all) add_map_tables(report, scale, programs, smoke);
+  if (all || exploration) add_exploration_table(report, smoke ? 2 : 100);
   if (all || perception) add_perception_table(report, perception_cases(data_folder()), most_scans);
   if (all || metric) {
     add_global_map_table(report, perception_cases(data_folder()), most_scans);

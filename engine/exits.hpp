@@ -40,7 +40,7 @@ struct Exit {
 };
 
 struct ExitBounds {
-  std::size_t travels = 6;   ///< of an exit
+  std::size_t travels = 3;   ///< of an exit
   std::size_t places = 100;  ///< to look out from
 };
 

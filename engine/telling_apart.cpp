@@ -14,17 +14,33 @@ namespace {
 constexpr std::size_t states_between_questions = 256;
 constexpr ArmIndex nowhere = UINT32_MAX;
 
+std::vector<std::vector<Arrival>> minimal_models(const MapTree& tree) {
+  std::vector<std::vector<Arrival>> models;
+  tree.for_each(tree.minimal(), [&](HypothesisId, std::span<const Arrival> hypothesis) {
+    models.emplace_back(hypothesis.begin(), hypothesis.end());
+  });
+  std::ranges::sort(models, [](const auto& one, const auto& other) {
+    const auto is_before = [&](auto part) {
+      return std::ranges::lexicographical_compare(one, other, {}, part, part);
+    };
+    return std::ranges::equal(one, other, {}, &Arrival::place, &Arrival::place)
+               ? is_before(&Arrival::entered)
+               : is_before(&Arrival::place);
+  });
+  return models;
+}
+
 /// The minimal models, as far as the robot can go along their segments.
 class Models {
  public:
   explicit Models(const MapTree& tree) : map_(tree) {
-    tree.for_each(tree.minimal(), [&](HypothesisId, std::span<const Arrival> hypothesis) {
-      map_.go_to(hypothesis);
+    for (const std::vector<Arrival>& model : minimal_models(tree)) {
+      map_.go_to(model);
       arrived_.push_back(map_.arrived());
       std::vector<ArmIndex>& across = across_.emplace_back();
       for (ArmIndex arm = 0; arm < table().size(); ++arm)
         across.push_back(map_.engine().across(arm).value_or(nowhere));
-    });
+    }
   }
 
   std::size_t size() const { return arrived_.size(); }

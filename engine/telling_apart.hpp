@@ -9,6 +9,9 @@
 
 namespace asterism {
 
+/// Numbers that the search for it may hold at once: one for each model in each of its states.
+inline constexpr std::size_t default_most_numbers = 5'000'000;
+
 /// How to tell the minimal models apart by going on.
 struct TellingApart {
   enum class Answer {
@@ -20,6 +23,7 @@ struct TellingApart {
   Answer answer = Answer::none;
   Turns turns;  ///< the shortest, and of these the first; one model needs none
   /// What each model expects to see after each travel, up to where no other expects the same.
+  /// Models are in the order of reports, by (visits, entered).                       [DESIGN §9]
   std::vector<std::vector<Star>> expected;
 };
 
@@ -27,10 +31,9 @@ struct TellingApart {
 /// model expects something for sure only along its segments: a travel out of a gateway that is open
 /// in a model tells it apart from no other, unless that was done before.
 ///
-/// @param most_numbers  to hold at once, one for each model in each state of the search
-/// @param go_on         asked now and then; may be empty
+/// @param go_on  asked now and then; may be empty
 /// @throws std::invalid_argument if the axioms are none that the native engine knows
-TellingApart tell_apart(const MapTree& tree, std::size_t most_numbers = 10'000'000,
+TellingApart tell_apart(const MapTree& tree, std::size_t most_numbers = default_most_numbers,
                         const std::function<bool()>& go_on = {});
 
 }  // namespace asterism
