@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <tuple>
 
 #include "engine/replay.hpp"
@@ -12,32 +11,14 @@ namespace {
 
 constexpr std::uint64_t work_between_questions = 1 << 15;  ///< some tens of milliseconds
 
-/// Tells rows of numbers apart, a number a map: they are too long to be kept. 64 bits do: that any
-/// two of some hundred rows fall together has a chance of 10^-15.
-class Fingerprint {
- public:
-  void add(std::uint64_t number) {
-    bits_ += number + 0x9e3779b97f4a7c15U;
-    bits_ = (bits_ ^ (bits_ >> 30U)) * 0xbf58476d1ce4e5b9U;
-    bits_ = (bits_ ^ (bits_ >> 27U)) * 0x94d049bb133111ebU;
-    bits_ ^= bits_ >> 31U;
-  }
-  std::uint64_t bits() const { return bits_; }
-
- private:
-  std::uint64_t bits_ = 0;
-};
-
 /// What the maps say of one travel. Whole numbers alone, so that nothing depends on their order.
 class Tally {
  public:
   Tally(Turns way, std::size_t views) : turns(std::move(way)), known_(views) {}
 
   void add(const Replay& map, ArmIndex gateway) {
-    gateways.add(gateway);
     const auto to = map.engine().across(gateway);
     if (to) {
-      reached.add(*to);
       ++known_[map.table().view(*to)];
       return;
     }
@@ -59,8 +40,6 @@ class Tally {
             const std::vector<Star>& stars) const;
 
   Turns turns;
-  Fingerprint gateways;  ///< travelled out of
-  Fingerprint reached;   ///< ... to, where known
 
  private:
   /// Maps in which so many gateways may be at the other end.
@@ -205,20 +184,21 @@ class Search {
     return arrived;
   }
 
-  /// Lists the exits found that are not the same as one nearer by.
+  /// Lists the exits found.
+  ///
+  /// None is found twice. One of the maps is that in which no open gateway ever led back to a place
+  /// known; its segments, which all maps have, are a tree. In it, different rows of travels lead to
+  /// different gateways, unless one goes back where it came from.
+  ///
   /// @return  where to look out next
-  std::vector<Turns> take(std::vector<Exit>& exits) {
-    std::vector<const Tally*> sure;
-    for (const Tally& tally : tallies_) {
-      if (!gateways_seen_.insert(tally.gateways.bits()).second) continue;
-      const bool is_sure = tally.is_sure(tree_.size());
-      if (is_sure) sure.push_back(&tally);
-      if (!is_sure || tally.turns.size() == 1)
-        exits.push_back(tally.exit(tree_.size(), new_place_, stars_));
-    }
+  std::vector<Turns> take(std::vector<Exit>& exits) const {
     std::vector<Turns> next;
-    for (const Tally* tally : sure)
-      if (!gateways_seen_.contains(tally->reached.bits())) next.push_back(tally->turns);
+    for (const Tally& tally : tallies_) {
+      const bool is_sure = tally.is_sure(tree_.size());
+      const bool is_first = tally.turns.size() == 1;
+      if (!is_sure || is_first) exits.push_back(tally.exit(tree_.size(), new_place_, stars_));
+      if (is_sure && (is_first || tally.turns.back() != 0)) next.push_back(tally.turns);
+    }
     return next;
   }
 
@@ -229,7 +209,6 @@ class Search {
   std::vector<Star> stars_;  ///< of each view
   std::vector<double> new_place_;
   std::vector<Tally> tallies_;
-  std::set<std::uint64_t> gateways_seen_;
 };
 
 }  // namespace

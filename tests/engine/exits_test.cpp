@@ -294,6 +294,27 @@ TEST_CASE("an open gateway leads to what was seen or to something else", "[engin
   }
 }
 
+//   0 --- 1        However often the robot goes round, it may have come to new places each time: no
+//   |     |        such ring is certain, so that there would be two ways to what lies behind 3.
+//   2 --- 3 ---
+TEST_CASE("no exit is listed twice", "[engine][exits][property]") {
+  std::size_t far = 0;
+  for (unsigned seed = 2; seed < 400; seed += 5) {
+    const Trace trace = seeded_walk(seed, 18).trace;
+    const MapTree tree = tree_of(trace, true);
+    if (tree.size() > 50) continue;
+    const auto maps = written(trace, [](const Trace& one) { return all_of_tree(one, true); });
+    std::set<std::vector<PlaceArm>> ends;
+    INFO(to_keep(seed, trace));
+    const Exits found = exits(tree, {.travels = 6}).value();
+    for (const Exit& exit : found.exits) {
+      CHECK(ends.insert(gateways(maps, exit.turns)).second);
+      if (exit.turns.size() > 2) ++far;
+    }
+  }
+  CHECK(far > 20);
+}
+
 TEST_CASE("bounds leave exits out, never silently", "[engine][exits][property]") {
   std::size_t cut = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
