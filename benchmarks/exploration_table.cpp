@@ -69,9 +69,9 @@ void add_row(Report& report, const Way& way, bool planar, const std::vector<Expl
   const double log_maps =
       mean(all, [](const Explored& one) { return std::log(static_cast<double>(one.maps)); });
   report.add_row({fmt::format("{}{}", way.name, planar ? ", planar" : ""),
-                  fmt::format("{:.0f}", std::exp(log_maps)), share_of_random, share_of_nearest,
-                  number(&Explored::places), number(&Explored::segments),
-                  number(&Explored::new_segments)});
+                  count_text(static_cast<std::uint64_t>(std::llround(std::exp(log_maps)))),
+                  share_of_random, share_of_nearest, number(&Explored::places),
+                  number(&Explored::segments), number(&Explored::new_segments)});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cli/exits_svg.hpp"
 #include "cli/grow.hpp"
 #include "cli/map_parts.hpp"
 #include "cli/progress.hpp"
@@ -157,6 +158,17 @@ void write_json(std::ostream& out, const NextCommand& command, const Trace& trac
   out << "]}\n";
 }
 
+std::string picture(const NextCommand& command, const Trace& trace, const MapTree& tree,
+                    const Exits& found) {
+  std::vector<NamedExit> named;
+  for (const Exit& exit : found.exits)
+    named.push_back({text_of(trace.visits.back(), exit.turns), exit});
+  const std::string title =
+      fmt::format("{}: ways on from visit {}{}", trace.name, trace.visits.size() - 1,
+                  command.map.options.planar ? ", planar maps" : "");
+  return exits_svg(title, named, tree.size());
+}
+
 /// Grows the tree and looks out from its maps, as far as the limits let it.
 void look_out(const NextCommand& command, const Trace& trace, MapTree& tree, Progress& progress,
               NextReport& report) {
@@ -191,6 +203,8 @@ int next_command(const NextCommand& given) {
   NextReport report;
   look_out(command, trace, tree, progress, report);
 
+  if (command.svg && report.exits)
+    write_atomically(*command.svg, picture(command, trace, tree, *report.exits));
   const auto write = [&](std::ostream& out) { write_json(out, command, trace, tree, report); };
   if (command.map.json == "-") {
     write(std::cout);

@@ -44,6 +44,7 @@ struct QueryCommand {
 struct NextCommand {
   MapCommand map;  ///< what maps to go on from
   ExitBounds bounds;
+  std::optional<std::string> svg;
 };
 
 struct SimulateCommand {

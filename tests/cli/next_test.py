@@ -2,10 +2,13 @@
 
 import copy
 import json
+import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
+import xml.etree.ElementTree as xml
 
 from program import PROGRAM, SOURCE, Folder, run, shown_in, view
 
@@ -227,6 +230,20 @@ class Files(Folder):
         self.assertEqual(text, run("next", ACES).stdout)
         self.assertEqual(run("next", "-", stdin=ACES.read_text()).stdout, text)
 
+    def test_a_picture(self):
+        file = self.folder / "exits.svg"
+        run("next", ACES, "--max-travels", "4", "--svg", file)
+        exits = found(ACES, "--max-travels", "4")[1]["exits"]
+        space = "{http://www.w3.org/2000/svg}"
+        root = xml.parse(file).getroot()
+        self.assertEqual(len(root.findall(f".//{space}circle")),
+                         sum(len(exit["outlooks"]) for exit in exits))
+        texts = [text.text for text in root.findall(f".//{space}text")]
+        for exit in exits:
+            self.assertIn(" ".join([exit["leave_by"], *map(str, exit["then"])]), texts)
+        self.assertIn("now 107", texts)
+        self.assertEqual(run("next", ACES, "--svg", "/dev/null/exits.svg").returncode, 70)
+
     def test_bad_input(self):
         self.refused(65, self.folder / "missing.trace.json")
         self.refused(65, ACES, "--axiom", "no_such")
@@ -262,6 +279,12 @@ class Docs(unittest.TestCase):
             done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
                                   timeout=300)
             self.assertEqual((done.stdout + done.stderr).rstrip(), output, command)
+
+    def test_their_picture_is_drawn_so(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "exits.svg"
+            run("next", SOURCE / "examples/aces-stubs.trace.json", "--planar", "--svg", file)
+            self.assertEqual((SOURCE / "docs/aces-exits.svg").read_text(), file.read_text())
 
     def test_help_has_examples(self):
         done = run("next", "--help")
