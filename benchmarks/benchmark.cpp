@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "benchmarks/explanation_table.hpp"
+#include "benchmarks/exploration_table.hpp"
 #include "benchmarks/metric.hpp"
 #include "benchmarks/perception.hpp"
 #include "benchmarks/tables.hpp"
@@ -69,6 +70,7 @@ std::vector<Trace> explained_traces(bool smoke) {
 
 int run(int argc, char** argv) {
   bool explanation = false;
+  bool exploration = false;
   bool metric = false;
   bool perception = false;
   bool quick = false;
@@ -80,6 +82,7 @@ int run(int argc, char** argv) {
   app.add_flag("--smoke", smoke, "the smallest traces alone, once: are the counts right?");
   app.add_flag("--explanation", explanation, "explanations alone");
   app.add_flag("--perception", perception, "perception alone, without any count");
+  app.add_flag("--exploration", exploration, "exploration alone, without any count");
   app.add_flag("--metric", metric, "the metric level alone, without any count");
   app.add_option("--output", output, "Markdown file to write; stdout where not given");
   app.add_option("--asterism", program, "the program to measure")->capture_default_str();
@@ -95,10 +98,11 @@ int run(int argc, char** argv) {
                               : Scale{};
   const Programs programs(program, ASTERISM_SOURCE_DIR "/benchmarks");
   Report report;
-  const bool all = !explanation && !perception && !metric;
+  const bool all = !explanation && !exploration && !perception && !metric;
   const std::size_t most_scans = smoke ? 300 : SIZE_MAX;
   if (all) add_map_tables(report, scale, programs, smoke);
   if (all || explanation) add_explanation_table(report, explained_traces(smoke));
+  if (all || exploration) add_exploration_table(report, smoke ? 2 : 100);
   if (all || perception) add_perception_table(report, perception_cases(data_folder()), most_scans);
   if (all || metric) {
     add_global_map_table(report, perception_cases(data_folder()), most_scans);

@@ -294,6 +294,7 @@ int run(int argc, char** argv) {
   QueryCommand query;
   ExplainCommand explain;
   VerifyCommand verify;
+  NextCommand next;
   PerceiveCommand perceive;
   RunCommand whole;
   SimulateCommand simulate;
@@ -305,6 +306,7 @@ int run(int argc, char** argv) {
   add_query(app, query, chosen);
   add_explain(app, explain, chosen);
   add_verify(app, verify, chosen);
+  add_next(app, next, chosen);
   add_perceive(app, perceive, chosen);
   add_run(app, whole, chosen);
   add_simulate(app, simulate, chosen);

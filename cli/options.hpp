@@ -6,6 +6,7 @@
 
 #include "axioms/axiom_set.hpp"
 #include "core/map_report.hpp"
+#include "engine/exits.hpp"
 #include "io/carmen_log.hpp"
 #include "perception/scan_detector.hpp"
 
@@ -55,6 +56,12 @@ struct VerifyCommand {
   std::uint64_t seed = 0;
   std::optional<std::string> json;  ///< file, or "-"
   std::optional<double> time_limit_s;
+};
+
+struct NextCommand {
+  MapCommand map;  ///< what maps to go on from
+  ExitBounds bounds;
+  std::optional<std::string> svg;
 };
 
 struct SimulateCommand {
@@ -114,6 +121,7 @@ int map_command(const MapCommand& command);
 int query_command(const QueryCommand& command);
 int explain_command(const ExplainCommand& command);
 int verify_command(const VerifyCommand& command);
+int next_command(const NextCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int run_command(const RunCommand& command);
 int simulate_command(const SimulateCommand& command);

@@ -107,4 +107,27 @@ result that cannot be written.)");
   verify.callback([&] { chosen = [&] { return verify_command(command); }; });
 }
 
+void add_next(CLI::App& app, NextCommand& command, std::function<int()>& chosen) {
+  CLI::App& next = *app.add_subcommand("next", "Say which ways on from a trace are worth trying");
+  next.footer(R"(Examples:
+  asterism next examples/aces-stubs.trace.json --planar
+  asterism next drive.trace.json --max-travels 6 --svg exits.svg
+  asterism next drive.trace.json --json - | jq '.exits[0]'
+An exit is an arm to leave the last visit by, and where more travels follow, for each how many arms
+clockwise of the one come in by the robot leaves: 0 leads back. docs/next.md tells what is expected.
+Exit code: 0 there is a map, 1 none explains the trace, 2 stopped by a limit or Ctrl-C, 64 usage,
+65 bad input, 70 internal fault or a result that cannot be written.)");
+  add_maps_of_trace(next, command.map);
+  next.add_option("--max-travels", command.bounds.travels, "Look for exits so many travels away")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  next.add_option("--json", command.map.json, "Write what was found as JSON; -: alone on stdout")
+      ->type_name("FILE");
+  next.add_option("--svg", command.svg, "Draw the exits with the maps left at each")
+      ->type_name("FILE");
+  add_limits(next, command.map.options);
+  next.callback([&] { chosen = [&] { return next_command(command); }; });
+}
+
 }  // namespace asterism

@@ -16,5 +16,6 @@ namespace asterism {
 void add_query(CLI::App& app, QueryCommand& command, std::function<int()>& chosen);
 void add_explain(CLI::App& app, ExplainCommand& command, std::function<int()>& chosen);
 void add_verify(CLI::App& app, VerifyCommand& command, std::function<int()>& chosen);
+void add_next(CLI::App& app, NextCommand& command, std::function<int()>& chosen);
 
 }  // namespace asterism

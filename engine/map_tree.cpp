@@ -39,9 +39,7 @@ class Preference {
 using Engine = std::variant<NativeEngine, SolverEngine, BothEngines>;
 
 NativeEngine native_engine(const MapTree::Options& options, const ArmTable& table) {
-  return NativeEngine(table, {.planar = options.planar,
-                              .one_segment = options.axioms.contains("one_segment"),
-                              .one_crossing = options.axioms.contains("one_crossing")});
+  return NativeEngine(table, NativeEngine::options(options.axioms, options.planar));
 }
 
 Engine make_engine(const MapTree::Options& options, const ArmTable& table) {
@@ -301,6 +299,8 @@ std::uint64_t MapTree::undecided() const {
 std::size_t MapTree::memory_bytes() const { return growing_->tree.memory_bytes(); }
 
 const Trace& MapTree::trace() const { return growing_->table.trace(); }
+
+const MapTree::Options& MapTree::options() const { return growing_->options; }
 
 std::span<const HypothesisId> MapTree::minimal() const { return growing_->minimal; }
 

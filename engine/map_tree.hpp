@@ -81,6 +81,7 @@ class MapTree {
   /// Bytes held for the hypotheses.
   std::size_t memory_bytes() const;
   const Trace& trace() const;
+  const Options& options() const;
 
   /// Those minimal under the preference of the axioms, in order.                  [DESIGN §6]
   std::span<const HypothesisId> minimal() const;

@@ -3,9 +3,11 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
+#include "axioms/axiom_set.hpp"
 #include "engine/arm_table.hpp"
 #include "planarity/face_lists.hpp"
 
@@ -49,6 +51,13 @@ class NativeEngine {
     bool one_crossing = false;
   };
 
+  /// ... for the axioms switched on among these.
+  static Options options(const AxiomSet& axioms, bool planar) {
+    return {.planar = planar,
+            .one_segment = axioms.contains("one_segment"),
+            .one_crossing = axioms.contains("one_crossing")};
+  }
+
   NativeEngine(const ArmTable& table, Options options) : table_(table), options_(options) {}
 
   /// Begins again with the empty hypothesis, and room for all visits of the arm table.
@@ -79,6 +88,27 @@ class NativeEngine {
         }
     }
     f(table_.entered(k), StepConstant<Step::new_place>{});
+  }
+
+  /// The gateway at the other end of the segment that begins in x, if there is one.
+  std::optional<ArmIndex> across(ArmIndex x) const {
+    return linked_[x] == none ? std::nullopt : std::optional(linked_[x]);
+  }
+  /// Calls f(y) for each gateway of a place known to which a new segment from x may lead.
+  /// @pre x is open
+  template <class F>
+  void for_each_closure(ArmIndex x, F&& f) const {
+    if (options_.planar) {
+      for (ArmIndex y = faces_.next(x); y != x; y = faces_.next(y))
+        if (can_link(x, y)) f(y);
+      return;
+    }
+    for (std::size_t w = 0; w < open_.size(); ++w)
+      for (std::uint64_t open = open_[w]; open != 0; open &= open - 1) {
+        const auto y =
+            static_cast<ArmIndex>(w * 64 + static_cast<unsigned>(std::countr_zero(open)));
+        if (can_link(x, y)) f(y);
+      }
   }
 
   /// How visit k is explained by coming in by `arm`.

@@ -1,0 +1,221 @@
+#include "engine/exits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "engine/replay.hpp"
+
+namespace asterism {
+namespace {
+
+constexpr std::uint64_t work_between_questions = 1 << 15;  ///< some tens of milliseconds
+
+/// What the maps say of one travel. Whole numbers alone, so that nothing depends on their order.
+class Tally {
+ public:
+  Tally(Turns way, std::size_t views) : turns(std::move(way)), known_(views) {}
+
+  void add(const Replay& map, ArmIndex gateway) {
+    const auto to = map.engine().across(gateway);
+    if (to) {
+      ++known_[map.table().view(*to)];
+      return;
+    }
+    views_.clear();
+    map.engine().for_each_closure(gateway,
+                                  [&](ArmIndex y) { views_.push_back(map.table().view(y)); });
+    if (alike_.size() <= views_.size()) alike_.resize(views_.size() + 1);
+    Alike& alike = alike_[views_.size()];
+    alike.closures.resize(known_.size());
+    ++alike.maps;
+    for (const ArmIndex view : views_) ++alike.closures[view];
+  }
+
+  /// Whether every map has the segment, and all expect to see the same.
+  bool is_sure(std::uint64_t maps) const { return std::ranges::count(known_, maps) > 0; }
+
+  /// @param new_place  chance of each view at a new place
+  Exit exit(std::uint64_t maps, std::span<const double> new_place,
+            const std::vector<Star>& stars) const;
+
+  Turns turns;
+
+ private:
+  /// Maps in which so many gateways may be at the other end.
+  struct Alike {
+    std::uint64_t maps = 0;
+    std::vector<std::uint64_t> closures = {};  ///< of each view
+  };
+
+  std::vector<std::uint64_t> known_;  ///< maps that expect each view
+  std::vector<Alike> alike_;          ///< by the number of closures
+  std::vector<ArmIndex> views_;
+};
+
+Exit Tally::exit(std::uint64_t maps, std::span<const double> new_place,
+                 const std::vector<Star>& stars) const {
+  Exit exit;
+  exit.turns = turns;
+  double is_new = 0;  // maps, in each the share of its ways on
+  std::vector<double> is_seen(known_.size());
+  std::vector<std::uint64_t> closures(known_.size());
+  for (std::size_t n = 0; n < alike_.size(); ++n) {
+    if (alike_[n].maps == 0) continue;
+    const auto ways = static_cast<double>(n + 1);
+    exit.open += alike_[n].maps;
+    is_new += static_cast<double>(alike_[n].maps) / ways;
+    for (std::size_t view = 0; view < known_.size(); ++view) {
+      closures[view] += alike_[n].closures[view];
+      is_seen[view] += static_cast<double>(alike_[n].closures[view]) / ways;
+    }
+  }
+  double anything_else = 1;
+  double expected = 0;
+  const auto all = static_cast<double>(maps);
+  for (std::size_t view = 0; view < known_.size(); ++view) {
+    exit.known += known_[view];
+    if (known_[view] + closures[view] == 0) continue;
+    const std::uint64_t left = known_[view] + closures[view] + exit.open;
+    const double chance =
+        (static_cast<double>(known_[view]) + is_seen[view] + is_new * new_place[view]) / all;
+    exit.outlooks.push_back({stars[view], left, chance});
+    anything_else -= chance;
+    expected += chance * static_cast<double>(left);
+  }
+  std::ranges::stable_sort(exit.outlooks, std::ranges::greater{}, &Outlook::chance);
+  if (exit.open > 0) {
+    const double chance = std::max(anything_else, 0.0);
+    exit.outlooks.push_back({std::nullopt, exit.open, chance});
+    expected += chance * static_cast<double>(exit.open);
+  }
+  exit.expected_left = std::round(expected * 1e6) / 1e6;
+  exit.tells = !is_sure(maps);
+  return exit;
+}
+
+/// Looks out from one place after another, those nearest first.
+class Search {
+ public:
+  Search(const MapTree& tree, const ExitBounds& bounds,
+         const std::function<bool(std::uint64_t)>& go_on)
+      : tree_(tree), bounds_(bounds), go_on_(go_on), map_(tree) {
+    const ArmTable& table = map_.table();
+    std::vector<std::optional<Star>> stars(table.views());
+    new_place_.resize(table.views());
+    for (std::size_t k = 0; k < table.visits(); ++k)
+      for (std::size_t i = 0; i < table.star_size(k); ++i) {
+        const auto arm = table.first_arm(k) + static_cast<ArmIndex>(i);
+        const ArmIndex view = table.view(arm);
+        if (!stars[view]) stars[view] = star_as_seen(table.trace().visits[k].star, i);
+        if (table.has_gateway(arm))
+          new_place_[view] +=
+              1.0 / static_cast<double>((table.visits() + 1) * table.gateways(k).size());
+      }
+    for (auto& star : stars) stars_.push_back(*std::move(star));
+  }
+
+  std::optional<Exits> run() {
+    Exits result;
+    std::vector<Turns> lookouts{{}};
+    std::size_t looked_out = 0;
+    for (std::size_t travels = 1; !lookouts.empty(); ++travels) {
+      const std::size_t room = travels > bounds_.travels ? 0 : bounds_.places - looked_out;
+      if (lookouts.size() > room) {
+        result.complete = false;
+        lookouts.resize(room);
+      }
+      looked_out += lookouts.size();
+      if (lookouts.empty()) break;
+      if (!look_out(lookouts)) return std::nullopt;
+      lookouts = take(result.exits);
+    }
+    std::ranges::sort(result.exits, {}, [](const Exit& exit) {
+      return std::tuple(!exit.tells, exit.expected_left, exit.turns.size(), exit.turns);
+    });
+    return result;
+  }
+
+ private:
+  /// Fills tallies_ with all exits of the places to which these turns lead.
+  bool look_out(std::span<const Turns> lookouts) {
+    tallies_.clear();
+    std::vector<std::size_t> first{0};  // tally of each lookout, one more at the end
+    std::uint64_t maps = 0;
+    std::uint64_t work = 0;
+    bool stopped = false;
+    tree_.for_each_while([&](HypothesisId, std::span<const Arrival> hypothesis) {
+      map_.go_to(hypothesis);
+      for (std::size_t i = 0; i < lookouts.size(); ++i) {
+        const ArmIndex arrived = follow(lookouts[i]);
+        if (maps == 0) add_tallies(lookouts[i], arrived), first.push_back(tallies_.size());
+        for (std::size_t t = first[i]; t < first[i + 1]; ++t)
+          tallies_[t].add(map_, map_.table().clockwise(
+                                    arrived, static_cast<ArmIndex>(tallies_[t].turns.back())));
+      }
+      ++maps;
+      work += tallies_.size();
+      if (work >= work_between_questions) {
+        work = 0;
+        stopped = go_on_ && !go_on_(maps);
+      }
+      return !stopped;
+    });
+    return !stopped;
+  }
+
+  /// The places are different ones in each map, but look the same.
+  void add_tallies(const Turns& lookout, ArmIndex arrived) {
+    const ArmTable& table = map_.table();
+    for (ArmIndex step = 0; step < table.star_size(table.visit_of(arrived)); ++step) {
+      if (!table.has_gateway(table.clockwise(arrived, step))) continue;
+      Turns turns = lookout;
+      turns.push_back(step);
+      tallies_.emplace_back(std::move(turns), table.views());
+    }
+  }
+
+  ArmIndex follow(const Turns& turns) const {
+    ArmIndex arrived = map_.arrived();
+    for (const std::size_t turn : turns)
+      arrived = map_.engine()
+                    .across(map_.table().clockwise(arrived, static_cast<ArmIndex>(turn)))
+                    .value();
+    return arrived;
+  }
+
+  /// Lists the exits found.
+  ///
+  /// None is found twice. One of the maps is that in which no open gateway ever led back to a place
+  /// known; its segments, which all maps have, are a tree. In it, different rows of travels lead to
+  /// different gateways, unless one goes back where it came from.
+  ///
+  /// @return  where to look out next
+  std::vector<Turns> take(std::vector<Exit>& exits) const {
+    std::vector<Turns> next;
+    for (const Tally& tally : tallies_) {
+      const bool is_sure = tally.is_sure(tree_.size());
+      const bool is_first = tally.turns.size() == 1;
+      if (!is_sure || is_first) exits.push_back(tally.exit(tree_.size(), new_place_, stars_));
+      if (is_sure && (is_first || tally.turns.back() != 0)) next.push_back(tally.turns);
+    }
+    return next;
+  }
+
+  const MapTree& tree_;
+  const ExitBounds& bounds_;
+  const std::function<bool(std::uint64_t)>& go_on_;
+  Replay map_;
+  std::vector<Star> stars_;  ///< of each view
+  std::vector<double> new_place_;
+  std::vector<Tally> tallies_;
+};
+
+}  // namespace
+
+std::optional<Exits> exits(const MapTree& tree, const ExitBounds& bounds,
+                           const std::function<bool(std::uint64_t maps)>& go_on) {
+  return Search(tree, bounds, go_on).run();
+}
+
+}  // namespace asterism
