@@ -195,6 +195,7 @@ result that cannot be written.)");
       ->type_name("DIR")
       ->required();
   run.add_flag("--planar", command.maps.planar, "Keep the maps that can be drawn in the plane");
+  add_assumptions(run, command.assume);
   run.add_option("--models", command.models, "Maps to rank and draw")
       ->type_name("N")
       ->check(CLI::Range(1, 1000))

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "cli/options.hpp"
 
@@ -13,6 +15,8 @@ namespace asterism {
 void add_axiom_options(CLI::App& app, AxiomOptions& options);
 /// The trace, and which maps of it there are.
 void add_maps_of_trace(CLI::App& app, MapCommand& command);
+/// What is known beside the trace.
+void add_assumptions(CLI::App& app, std::vector<std::string>& texts);
 /// When to stop.
 void add_limits(CLI::App& app, MapOptions& options);
 

@@ -29,6 +29,7 @@ struct MapCommand {
   AxiomOptions axioms;
   std::size_t visits = 0;           ///< of the trace
   std::optional<std::string> json;  ///< file, or "-"
+  std::vector<std::string> assume;  ///< texts of assumptions
   std::optional<std::string> svg_folder;
   std::optional<std::string> smt2_folder;
   std::vector<std::size_t> why_not;  ///< place of each visit, up to the one in question
@@ -79,7 +80,8 @@ struct RunCommand {
   LogOptions laser;
   ScanDetectorOptions detector;
   MapOptions maps;
-  std::size_t models = 5;  ///< ranked and drawn
+  std::vector<std::string> assume;  ///< texts of assumptions
+  std::size_t models = 5;           ///< ranked and drawn
   bool only_minimal = false;
   double resolution_m = 0.05;  ///< of the global map
   bool json = false;

@@ -60,6 +60,8 @@ std::string visits_text(const std::vector<Arrival>& arrivals) {
 }
 
 void print(const QueryCommand& command, const MapTree& tree, const QueryReport& report) {
+  const std::vector<Assumption>& assumptions = command.map.options.assumptions;
+  fmt::print("{}", assuming_text(assumptions));
   for (std::size_t i = 0; i < report.queries.size(); ++i) {
     const std::string text = one_line(report.queries[i].text);
     if (!report.answers) {
@@ -74,7 +76,8 @@ void print(const QueryCommand& command, const MapTree& tree, const QueryReport& 
     fmt::print("  it fails with visits at places {}\n", visits_text(*answer.counterexample));
   }
   if (report.answers && tree.size() == 0)
-    fmt::print("no map explains the trace: none is left after visit {}\n",
+    fmt::print("no map explains the trace{}: none is left after visit {}\n",
+               assumptions.empty() ? "" : " under these assumptions",
                std::ranges::find(tree.per_visit(), 0U) - tree.per_visit().begin());
 }
 
@@ -111,6 +114,8 @@ void write_json(std::ostream& out, const QueryCommand& command, const Trace& tra
                      {"axioms", options.axioms},
                      {"optional_axioms", options.optional_axioms},
                      {"over", command.only_minimal ? "minimal" : "all"}};
+  for (const Assumption& assumption : options.assumptions)
+    head["options"]["assumptions"].push_back(text_of(assumption));
   head["consistent"] = report.answers ? Json(tree.size()) : Json();
   head["complete"] = report.answers.has_value();
   if (report.stopped_by) head["stopped_by"] = *report.stopped_by;
@@ -140,8 +145,10 @@ int query_command(const QueryCommand& given) {
   QueryCommand command = given;
   QueryReport report;
   for (const std::string& text : command.queries) report.queries.push_back(read_query(text));
+  const auto stated = read_assumptions(command.map.assume);
   const Trace trace = read_trace_file(command.map.trace == "-" ? "/dev/stdin" : command.map.trace);
   for (const Query& query : report.queries) require_visits(query, trace);
+  command.map.options.assumptions = assumptions_of(stated, trace);
   const AxiomSet axioms = read_axioms(command.map);
 
   Progress progress(trace.visits.size(), command.map.options.time_limit_s);

@@ -1,5 +1,6 @@
 #include "engine/certify.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <set>
@@ -47,10 +48,12 @@ Verdict check_model(const ArmTable& table, const AxiomSet& axioms, std::span<con
 class PreferredMap {
  public:
   PreferredMap(const ArmTable& table, const AxiomSet& axioms, bool planar,
-               std::vector<std::size_t> best, Clock::time_point deadline)
+               std::span<const Assumption> assumptions, std::vector<std::size_t> best,
+               Clock::time_point deadline)
       : table_(table),
         axioms_(axioms),
         planar_(planar),
+        assumptions_(assumptions),
         best_(std::move(best)),
         deadline_(deadline),
         solver_(context_, z3::solver::simple()),
@@ -59,6 +62,7 @@ class PreferredMap {
     // Cut short, it is never asked: exists() finds itself out of time as well.
     assert_choices();
     if (out_of_time()) return;
+    for (const Assumption& assumption : assumptions_) assume(assumption);
     solver_.add(is_preferred());
     ground(general_facts(), context_.bool_val(true));
     for (std::size_t k = 0; k < table_.visits() && !out_of_time(); ++k)
@@ -138,6 +142,23 @@ class PreferredMap {
       const z3::expr linked = context_.bool_const(("linked_" + std::to_string(arm)).c_str());
       solver_.add(linked == z3::mk_or(by));
       linked_.push_back(linked);
+    }
+  }
+
+  /// "Visit k was at the place first seen at visit j", in any way in.
+  z3::expr is_at_place(std::size_t k, std::size_t j) {
+    z3::expr_vector ways(context_);
+    for (const ArmIndex arm : choices_[k])
+      if (table_.visit_of(arm) == j) ways.push_back(at(k, arm));
+    return z3::mk_or(ways);
+  }
+
+  void assume(const Assumption& assumption) {
+    const auto [one, other] = std::minmax({assumption.one.index(), assumption.other.index()});
+    for (std::size_t j = 0; j <= other; ++j) {
+      const z3::expr first = is_at_place(one, j);
+      const z3::expr second = is_at_place(other, j);
+      solver_.add(assumption.kind == Assumption::Kind::same ? first == second : !(first && second));
     }
   }
 
@@ -245,6 +266,7 @@ class PreferredMap {
   const ArmTable& table_;
   const AxiomSet& axioms_;
   bool planar_;
+  std::span<const Assumption> assumptions_;
   std::vector<std::size_t> best_;
   Clock::time_point deadline_;
 
@@ -262,7 +284,8 @@ class PreferredMap {
 }  // namespace
 
 Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
-                    std::span<const std::vector<Arrival>> models, double seconds) {
+                    std::span<const std::vector<Arrival>> models, double seconds,
+                    std::span<const Assumption> assumptions) {
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(std::min(seconds, 1e6)));
   ArmTable table;
@@ -272,7 +295,12 @@ Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
   for (const auto& model : models) {
     const TopologicalMap map = make_map(trace, model);
     if (!best) best = rank(map, axioms);
-    if (rank(map, axioms) != *best || (planar && !is_planar(map))) return Certificate::refuted;
+    const bool is_as_assumed = std::ranges::all_of(assumptions, [&](const Assumption& assumption) {
+      return agrees(assumption, map.visits.at(assumption.one.index()),
+                    map.visits.at(assumption.other.index()));
+    });
+    if (rank(map, axioms) != *best || (planar && !is_planar(map)) || !is_as_assumed)
+      return Certificate::refuted;
     switch (check_model(table, axioms, table.named(model), deadline)) {
       case Verdict::inconsistent:
         return Certificate::refuted;
@@ -283,8 +311,8 @@ Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
     }
   }
   if (!best) throw std::invalid_argument("no models to certify");
-  const Verdict preferred =
-      guarded_z3([&] { return PreferredMap(table, axioms, planar, *best, deadline).exists(); });
+  const Verdict preferred = guarded_z3(
+      [&] { return PreferredMap(table, axioms, planar, assumptions, *best, deadline).exists(); });
   switch (preferred) {
     case Verdict::inconsistent:
       return Certificate::shown;
