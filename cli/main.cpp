@@ -269,8 +269,8 @@ void add_validate(CLI::App& app, std::vector<std::string>& files, std::function<
   asterism validate drive.log.xz
   asterism validate my-axioms
   asterism validate out/trajectory.tum out/map.yaml out/layout.g2o
-Of these endings, all but *.maps.json and *.yaml maybe with .gz or .xz: *.maps.json is a maps file,
-*.log and *.clf a CARMEN log of laser scans, *.tum a trajectory, *.gmapping.txt a reference,
+Of these endings, all but *.json and *.yaml maybe with .gz or .xz: *.maps.json is a maps file,
+*.expect.json what a trace is expected to give, *.log and *.clf a CARMEN log of laser scans, *.tum a trajectory, *.gmapping.txt a reference,
 *.relations surveyed relations, *.g2o a pose graph, *.pgm a picture, *.yaml an occupancy map with
 its picture. A folder holds axioms, anything else is a trace.)");
   validate.add_option("files", files, "Traces, maps, logs and others, folders of axioms")
@@ -293,6 +293,7 @@ int run(int argc, char** argv) {
 
   MapCommand map;
   QueryCommand query;
+  TestCommand test;
   PerceiveCommand perceive;
   RunCommand whole;
   SimulateCommand simulate;
@@ -302,6 +303,7 @@ int run(int argc, char** argv) {
   std::function<int()> chosen;
   add_map(app, map, chosen);
   add_query(app, query, chosen);
+  add_test(app, test, chosen);
   add_perceive(app, perceive, chosen);
   add_run(app, whole, chosen);
   add_simulate(app, simulate, chosen);

@@ -41,6 +41,14 @@ struct QueryCommand {
   bool only_minimal = false;
 };
 
+struct TestCommand {
+  std::string folder;
+  std::string check = "native";      ///< who decides
+  MapOptions limits;                 ///< of these, when to stop
+  std::optional<std::string> junit;  ///< file
+  bool update = false;               ///< record what comes out
+};
+
 struct SimulateCommand {
   std::string world = "grid";           ///< or "corridors"
   std::optional<std::string> building;  ///< "aces-like" or "office": scans of a drive, not a walk
@@ -97,6 +105,7 @@ struct EvaluateCommand {
 /// Each prints its result on stdout, progress on stderr, and returns the exit code.
 int map_command(const MapCommand& command);
 int query_command(const QueryCommand& command);
+int test_command(const TestCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int run_command(const RunCommand& command);
 int simulate_command(const SimulateCommand& command);

@@ -32,4 +32,26 @@ trace does not have, 70 internal fault or a result that cannot be written.)");
   query.callback([&] { chosen = [&] { return query_command(command); }; });
 }
 
+void add_test(CLI::App& app, TestCommand& command, std::function<int()>& chosen) {
+  CLI::App& test = *app.add_subcommand("test", "Ask a folder of traces what is expected of them");
+  test.footer(R"(Examples:
+  asterism test tests/traces
+  asterism test my-traces --junit report.xml --time-limit 60
+  asterism test my-traces --update
+Of each NAME.trace.json, NAME.expect.json says what is asked and what must come out: how many maps
+there are, which are minimal, and the answers to queries; docs/formats.md tells how. --update records
+what comes out, of all maps and the planar ones where nothing was asked before.
+Exit code: 0 all is as expected, 1 something is not, 2 a limit or Ctrl-C left something undecided,
+64 usage, 65 bad input, 70 internal fault or a result that cannot be written.)");
+  test.add_option("folder", command.folder, "Folder of *.trace.json and *.expect.json")->required();
+  test.add_option("--check", command.check,
+                  "Who decides: native, the solver alone, or both compared at every candidate")
+      ->check(CLI::IsMember({"native", "solver", "both"}))
+      ->capture_default_str();
+  test.add_flag("--update", command.update, "Record what comes out instead");
+  test.add_option("--junit", command.junit, "Write the results as JUnit XML")->type_name("FILE");
+  add_limits(test, command.limits);
+  test.callback([&] { chosen = [&] { return test_command(command); }; });
+}
+
 }  // namespace asterism

@@ -14,5 +14,6 @@ namespace asterism {
 // where one is chosen, so is what runs it.
 
 void add_query(CLI::App& app, QueryCommand& command, std::function<int()>& chosen);
+void add_test(CLI::App& app, TestCommand& command, std::function<int()>& chosen);
 
 }  // namespace asterism
