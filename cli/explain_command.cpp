@@ -21,6 +21,8 @@ void explain_by_preference(const ExplainCommand& command, const Trace& trace,
   const auto best_with = [&](const Claim* claim) {
     MapProblem problem(trace, axioms, time.seconds_left());
     std::vector<Premise> premises = problem.premises(command.map.options.planar);
+    for (const Assumption& assumption : command.map.options.assumptions)
+      premises.push_back(problem.add(claim_of(assumption)));
     if (claim != nullptr) premises.push_back(problem.add(*claim));
     return find_optimum(problem, trace, axioms, std::move(premises));
   };
@@ -44,7 +46,10 @@ void find_reasons(const ExplainCommand& command, const Trace& trace, const Axiom
                   ExplainReport& report) {
   const Countdown time(command.map.options.time_limit_s.value_or(default_explain_s));
   const auto reason_of = [&](const Claim& claim) {
-    const std::vector<Claim> claims{claim};
+    std::vector<Claim> claims;
+    for (const Assumption& assumption : command.map.options.assumptions)
+      claims.push_back(claim_of(assumption));
+    claims.push_back(claim);
     return explain(trace, axioms, command.map.options.planar, claims, time.seconds_left());
   };
   Reason holds = reason_of(report.query.claim);
@@ -72,8 +77,10 @@ void find_reasons(const ExplainCommand& command, const Trace& trace, const Axiom
 int explain_command(const ExplainCommand& given) {
   ExplainCommand command = given;
   ExplainReport report{read_query(command.query)};
+  const auto stated = read_assumptions(command.map.assume);
   const Trace trace = read_trace_file(command.map.trace == "-" ? "/dev/stdin" : command.map.trace);
   require_visits(report.query, trace);
+  command.map.options.assumptions = assumptions_of(stated, trace);
   command.map.options.check = "solver";  // it is the solver that explains, whatever the axioms
   const AxiomSet axioms = read_axioms(command.map);
   find_reasons(command, trace, axioms, report);
@@ -87,6 +94,10 @@ int explain_command(const ExplainCommand& given) {
     if (command.map.json) write_atomically(*command.map.json, write);
     fmt::print("{}", explanation_text(command, trace, axioms, report));
   }
+  if (command.svg && report.clash)
+    write_atomically(*command.svg, explanation_svg(command, trace, axioms, report));
+  else if (command.svg)
+    fmt::print(stderr, "nothing clashes: {} is not written\n", *command.svg);
   if (!report.modality) return exit_undecided;
   return *report.modality == Modality::impossible ? exit_inconsistent : exit_consistent;
 }

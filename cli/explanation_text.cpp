@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/map_parts.hpp"
 #include "cli/query_parts.hpp"
+#include "engine/crossing_map.hpp"
+#include "io/clash_svg.hpp"
+#include "planarity/plane_drawing.hpp"
 
 namespace asterism {
 namespace {
@@ -21,9 +25,10 @@ std::vector<std::size_t> visits_of(const Explanation& clash) {
   return visits;
 }
 
-bool blames_claim(const Explanation& clash) {
-  return std::ranges::any_of(clash.members, [](const Explanation::Member& member) {
-    return member.premise.kind == Kind::claim;
+/// Whether the query is to blame, and not the trace and what is assumed alone.
+bool blames_query(const ExplainCommand& command, const Explanation& clash) {
+  return std::ranges::any_of(clash.members, [&](const Explanation::Member& member) {
+    return member.premise == Premise{Kind::claim, command.map.options.assumptions.size()};
   });
 }
 
@@ -35,7 +40,8 @@ std::string claim_text(const ExplainReport& report) {
   return is_negation && query.starts_with("not ") ? query.substr(4) : "not (" + query + ")";
 }
 
-std::string name_of(const Premise& premise, const AxiomSet& axioms, const ExplainReport& report) {
+std::string name_of(const Premise& premise, const ExplainCommand& command, const AxiomSet& axioms,
+                    const ExplainReport& report) {
   switch (premise.kind) {
     case Kind::visit:
       return fmt::format("visit {}", premise.number);
@@ -46,7 +52,9 @@ std::string name_of(const Premise& premise, const AxiomSet& axioms, const Explai
     case Kind::claim:
       break;
   }
-  return claim_text(report);
+  const std::vector<Assumption>& assumptions = command.map.options.assumptions;
+  return premise.number < assumptions.size() ? "assumed " + text_of(assumptions[premise.number])
+                                             : claim_text(report);
 }
 
 std::string partial_map_text(const PartialMap& map) {
@@ -83,7 +91,8 @@ std::string crossing_text(const Trace& trace, const Crossing& crossing, const Pa
   return text + "\n";
 }
 
-std::string clash_text(const Trace& trace, const AxiomSet& axioms, const ExplainReport& report) {
+std::string clash_text(const ExplainCommand& command, const Trace& trace, const AxiomSet& axioms,
+                       const ExplainReport& report) {
   const Explanation& clash = *report.clash;
   std::string text;
   if (const auto visits = visits_of(clash); !visits.empty())
@@ -96,11 +105,12 @@ std::string clash_text(const Trace& trace, const AxiomSet& axioms, const Explain
     }
     if (clash.crossing && premise.kind == Kind::planarity)
       text += crossing_text(trace, *clash.crossing, without);
+    if (premise.kind == Kind::claim)
+      text += fmt::format("  {}\n", name_of(premise, command, axioms, report));
   }
-  if (blames_claim(clash)) text += fmt::format("  {}\n", claim_text(report));
   text += "None can be spared. The others allow\n";
   for (const auto& [premise, without] : clash.members)
-    text += fmt::format("  {:<27} {}\n", "without " + name_of(premise, axioms, report),
+    text += fmt::format("  {:<27} {}\n", "without " + name_of(premise, command, axioms, report),
                         partial_map_text(without));
   return text;
 }
@@ -164,8 +174,10 @@ Json json_of(const Crossing& crossing) {
           {"loops", loops}};
 }
 
-Json json_of(const Explanation::Member& member, const Explanation& clash, const AxiomSet& axioms,
-             const ExplainReport& report) {
+Json json_of(const Explanation::Member& member, const ExplainCommand& command,
+             const AxiomSet& axioms, const ExplainReport& report) {
+  const Explanation& clash = *report.clash;
+  const std::vector<Assumption>& assumptions = command.map.options.assumptions;
   Json json;
   switch (member.premise.kind) {
     case Kind::visit:
@@ -180,14 +192,77 @@ Json json_of(const Explanation::Member& member, const Explanation& clash, const 
       json["planarity"] = clash.crossing ? json_of(*clash.crossing) : Json();
       break;
     case Kind::claim:
-      json["claim"] = claim_text(report);
+      if (member.premise.number < assumptions.size())
+        json["assumption"] = text_of(assumptions[member.premise.number]);
+      else
+        json["claim"] = claim_text(report);
       break;
   }
   json["without"] = json_of(member.without);
   return json;
 }
 
+/// "same(8, 10): impossible", and what that is due to if not to the query.
+std::string title(const ExplainCommand& command, const ExplainReport& report) {
+  const MapOptions& options = command.map.options;
+  const std::string verdict =
+      fmt::format("{}: {}", one_line(report.query.text), name_of(*report.modality));
+  if (blames_query(command, *report.clash)) return verdict;
+  return fmt::format("{}, since no {}map explains the trace{}", verdict,
+                     options.planar ? "planar " : "",
+                     options.assumptions.empty() ? "" : " under these assumptions");
+}
+
+/// The pairs of visits that a claim says were to one place, or to two.
+void add_claimed(const Claim& claim, bool is_so, std::vector<ClashPicture::Claimed>& claimed) {
+  if (const auto* all = std::get_if<Claim::All>(&claim.is))
+    for (const Claim& part : all->parts) add_claimed(part, is_so, claimed);
+  if (const auto* any = std::get_if<Claim::Any>(&claim.is))
+    for (const Claim& part : any->parts) add_claimed(part, is_so, claimed);
+  if (const auto* negation = std::get_if<Claim::Not>(&claim.is))
+    add_claimed(negation->part.front(), !is_so, claimed);
+  if (const auto* same = std::get_if<Claim::Same>(&claim.is))
+    claimed.push_back({same->one, same->other, is_so});
+}
+
 }  // namespace
+
+std::string explanation_svg(const ExplainCommand& command, const Trace& trace,
+                            const AxiomSet& axioms, const ExplainReport& report) {
+  ClashPicture picture;
+  picture.title = title(command, report);
+  const std::vector<Assumption>& assumptions = command.map.options.assumptions;
+  for (const auto& [premise, without] : report.clash->members) {
+    const std::string name = name_of(premise, command, axioms, report);
+    picture.without.push_back({"without " + name, partial_map_text(without)});
+    switch (premise.kind) {
+      case Kind::visit:
+        picture.visits.push_back(VisitId(premise.number));
+        continue;
+      case Kind::axiom: {
+        const Axiom& axiom = axioms.axioms()[premise.number];
+        picture.said.push_back({name, axiom.words + " " + axiom.source});
+        continue;
+      }
+      case Kind::planarity:
+        picture.said.push_back({name, "The map can be drawn in the plane."});
+        if (report.clash->crossing) {
+          const CrossingMap crossing = crossing_map(trace, without, *report.clash->crossing);
+          picture.crossing = {crossing.map,    draw(crossing.map), report.clash->crossing->visit,
+                              crossing.visits, crossing.names,     crossing.loops};
+        }
+        continue;
+      case Kind::claim:
+        break;
+    }
+    picture.said.push_back({name, ""});
+    if (premise.number < assumptions.size())
+      add_claimed(claim_of(assumptions[premise.number]), true, picture.claimed);
+    else
+      add_claimed(report.query.claim, report.modality == Modality::impossible, picture.claimed);
+  }
+  return clash_svg(trace, picture);
+}
 
 std::string explanation_text(const ExplainCommand& command, const Trace& trace,
                              const AxiomSet& axioms, const ExplainReport& report) {
@@ -195,21 +270,17 @@ std::string explanation_text(const ExplainCommand& command, const Trace& trace,
   if (!report.modality)
     return fmt::format("{}: undecided in {} s\n", query,
                        command.map.options.time_limit_s.value_or(default_explain_s));
-  const char* verdict = name_of(*report.modality);
-  if (report.clash && !blames_claim(*report.clash))
-    return fmt::format("{}: {}, since no {}map explains the trace. These clash:\n", query, verdict,
-                       command.map.options.planar ? "planar " : "") +
-           clash_text(trace, axioms, report);
+  const std::string assuming = assuming_text(command.map.options.assumptions);
   if (report.clash)
-    return fmt::format("{}: {}. These clash:\n", query, verdict) +
-           clash_text(trace, axioms, report);
+    return assuming + title(command, report) + ". These clash:\n" +
+           clash_text(command, trace, axioms, report);
   if (report.preference)
-    return fmt::format("{}: {} in minimal models. ", query, verdict) +
+    return assuming + fmt::format("{}: {} in minimal models. ", query, name_of(*report.modality)) +
            preference_text(axioms, report);
-  return fmt::format(
-      "{}: possible, not certain\n  it holds with visits at places {}\n"
-      "  it fails with visits at places {}\n",
-      query, visits_text(report.witness), visits_text(report.counterexample));
+  return assuming + fmt::format(
+                        "{}: possible, not certain\n  it holds with visits at places {}\n"
+                        "  it fails with visits at places {}\n",
+                        query, visits_text(report.witness), visits_text(report.counterexample));
 }
 
 std::string explanation_json(const ExplainCommand& command, const Trace& trace,
@@ -220,6 +291,8 @@ std::string explanation_json(const ExplainCommand& command, const Trace& trace,
                      {"axioms", options.axioms},
                      {"optional_axioms", options.optional_axioms},
                      {"over", command.only_minimal ? "minimal" : "all"}};
+  for (const Assumption& assumption : options.assumptions)
+    json["options"]["assumptions"].push_back(text_of(assumption));
   json["query"] = report.query.text;
   json["verdict"] = report.modality ? name_of(*report.modality) : "undecided";
   json["preference"] = nullptr;
@@ -235,7 +308,7 @@ std::string explanation_json(const ExplainCommand& command, const Trace& trace,
   if (!report.clash) return head.substr(0, head.size() - 1) + ",\"clash\":null}\n";
   std::vector<std::string> members;  // one a line
   for (const Explanation::Member& member : report.clash->members)
-    members.push_back(json_of(member, *report.clash, axioms, report).dump());
+    members.push_back(json_of(member, command, axioms, report).dump());
   return fmt::format("{},\n  \"clash\": [\n    {}]}}\n", head.substr(0, head.size() - 1),
                      fmt::join(members, ",\n    "));
 }

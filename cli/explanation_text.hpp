@@ -32,6 +32,10 @@ struct ExplainReport {
 std::string explanation_text(const ExplainCommand& command, const Trace& trace,
                              const AxiomSet& axioms, const ExplainReport& report);
 
+/// As a picture, where something clashes.
+std::string explanation_svg(const ExplainCommand& command, const Trace& trace,
+                            const AxiomSet& axioms, const ExplainReport& report);
+
 /// As JSON, docs/formats.md: "asterism/explanation".
 std::string explanation_json(const ExplainCommand& command, const Trace& trace,
                              const AxiomSet& axioms, const ExplainReport& report);

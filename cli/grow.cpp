@@ -78,8 +78,8 @@ MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomS
                     .certified = false};
   if (command.options.certify_s > 0) {
     progress.grown("certifying the minimal models");
-    const Certificate certificate =
-        certify(tree.trace(), axioms, command.options.planar, models, command.options.certify_s);
+    const Certificate certificate = certify(tree.trace(), axioms, command.options.planar, models,
+                                            command.options.certify_s, command.options.assumptions);
     // What was kept undecided may well be refuted, given more time.
     if (certificate == Certificate::refuted && tree.undecided() == 0)
       throw std::logic_error("the solver refutes the minimal models of the tree");

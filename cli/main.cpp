@@ -195,6 +195,7 @@ result that cannot be written.)");
       ->type_name("DIR")
       ->required();
   run.add_flag("--planar", command.maps.planar, "Keep the maps that can be drawn in the plane");
+  add_assumptions(run, command.assume);
   run.add_option("--models", command.models, "Maps to rank and draw")
       ->type_name("N")
       ->check(CLI::Range(1, 1000))
@@ -268,8 +269,8 @@ void add_validate(CLI::App& app, std::vector<std::string>& files, std::function<
   asterism validate drive.log.xz
   asterism validate my-axioms
   asterism validate out/trajectory.tum out/map.yaml out/layout.g2o
-Of these endings, all but *.maps.json and *.yaml maybe with .gz or .xz: *.maps.json is a maps file,
-*.log and *.clf a CARMEN log of laser scans, *.tum a trajectory, *.gmapping.txt a reference,
+Of these endings, all but *.json and *.yaml maybe with .gz or .xz: *.maps.json is a maps file,
+*.expect.json what a trace is expected to give, *.log and *.clf a CARMEN log of laser scans, *.tum a trajectory, *.gmapping.txt a reference,
 *.relations surveyed relations, *.g2o a pose graph, *.pgm a picture, *.yaml an occupancy map with
 its picture. A folder holds axioms, anything else is a trace.)");
   validate.add_option("files", files, "Traces, maps, logs and others, folders of axioms")
@@ -295,6 +296,7 @@ int run(int argc, char** argv) {
   ExplainCommand explain;
   VerifyCommand verify;
   NextCommand next;
+  TestCommand test;
   PerceiveCommand perceive;
   RunCommand whole;
   SimulateCommand simulate;
@@ -307,6 +309,7 @@ int run(int argc, char** argv) {
   add_explain(app, explain, chosen);
   add_verify(app, verify, chosen);
   add_next(app, next, chosen);
+  add_test(app, test, chosen);
   add_perceive(app, perceive, chosen);
   add_run(app, whole, chosen);
   add_simulate(app, simulate, chosen);

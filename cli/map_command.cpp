@@ -92,7 +92,9 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
 
 int map_command(const MapCommand& given) {
   MapCommand command = given;
+  const auto stated = read_assumptions(command.assume);
   const Trace trace = read_trace_file(command.trace == "-" ? "/dev/stdin" : command.trace);
+  command.options.assumptions = assumptions_of(stated, trace);
   const AxiomSet axioms = read_axioms(command);
   command.visits = trace.visits.size();
   if (!command.why_not.empty()) return why_not(command, axioms, trace);

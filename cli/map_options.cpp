@@ -18,6 +18,15 @@ void add_check(CLI::App& app, MapOptions& options) {
       ->capture_default_str();
 }
 
+void add_assumptions(CLI::App& app, std::vector<std::string>& texts) {
+  app.add_option("--assume", texts,
+                 "Keep only maps where this holds: same(I,J) or differ(I,J), visits I and J being "
+                 "to one place or to two (repeatable)")
+      ->type_name("FACT")
+      ->allow_extra_args(false)  // queries may follow
+      ->take_all();
+}
+
 void add_limits(CLI::App& app, MapOptions& options) {
   app.add_option("--max-hypotheses", options.max_hypotheses,
                  "Stop when a visit leaves more maps than this")
@@ -45,11 +54,13 @@ void add_map(CLI::App& app, MapCommand& command, std::function<int()>& chosen) {
   asterism map drive.trace.json --svg drawings --json drive.maps.json
   asterism map drive.trace.json --all --json - | jq .consistent
   asterism map drive.trace.json --why-not 0,1,2,0
+  asterism map drive.trace.json --assume 'same(0,8)' --assume 'differ(2,5)'
 Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a limit or Ctrl-C,
 64 usage, 65 bad input, 70 internal fault or a result that cannot be written.)");
   MapOptions& options = command.options;
   add_maps_of_trace(map, command);
   add_check(map, options);
+  add_assumptions(map, command.assume);
   map.add_option("--certify", options.certify_s,
                  "Seconds the solver may take to certify the minimal models; 0: do not")
       ->type_name("S")
@@ -73,7 +84,8 @@ Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a
            ->check(whole_number)
            ->delimiter(',');
   add_limits(map, options);
-  for (const char* option : {"--json", "--all", "--svg", "--max-hypotheses", "--time-limit"})
+  for (const char* option :
+       {"--json", "--all", "--svg", "--max-hypotheses", "--time-limit", "--assume"})
     why_not.excludes(map.get_option(option));
   map.callback([&] { chosen = [&] { return map_command(command); }; });
 }

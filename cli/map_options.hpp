@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "cli/options.hpp"
 
@@ -15,6 +17,8 @@ void add_axiom_options(CLI::App& app, AxiomOptions& options);
 void add_maps_of_trace(CLI::App& app, MapCommand& command);
 /// Who decides; to be given beside add_maps_of_trace.
 void add_check(CLI::App& app, MapOptions& options);
+/// What is known beside the trace.
+void add_assumptions(CLI::App& app, std::vector<std::string>& texts);
 /// When to stop.
 void add_limits(CLI::App& app, MapOptions& options);
 

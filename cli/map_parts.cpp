@@ -43,6 +43,26 @@ AxiomSet read_axioms(MapCommand& command) {
   return axioms;
 }
 
+std::vector<StatedAssumption> read_assumptions(std::span<const std::string> texts) {
+  std::vector<StatedAssumption> result;
+  for (const std::string& text : texts) result.push_back(read_assumption(text));
+  return result;
+}
+
+std::vector<Assumption> assumptions_of(std::span<const StatedAssumption> stated,
+                                       const Trace& trace) {
+  std::vector<Assumption> result;
+  for (const StatedAssumption& one : stated) {
+    require_visits(one, trace);
+    result.push_back(one.assumption);
+  }
+  return result;
+}
+
+std::string assuming_text(std::span<const Assumption> assumptions) {
+  return assumptions.empty() ? "" : "assuming " + text_of(assumptions) + '\n';
+}
+
 MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms) {
   MapTree::Options options;
   options.planar = command.options.planar;
@@ -50,6 +70,7 @@ MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms)
                   : command.options.check == "solver" ? Check::solver
                                                       : Check::both;
   options.axioms = axioms;
+  options.assumptions = command.options.assumptions;
   options.max_hypotheses = command.options.max_hypotheses.value_or(UINT64_MAX);
   return options;
 }

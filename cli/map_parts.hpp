@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cli/options.hpp"
 #include "core/trace.hpp"
 #include "engine/map_tree.hpp"
+#include "engine/query_reader.hpp"
 
 namespace asterism {
 
@@ -15,6 +17,15 @@ namespace asterism {
 /// Reads the axioms that a command asks for, and records in its options which these are.
 /// @throws InputError if they cannot be read, or need the solver and `check` names another
 AxiomSet read_axioms(MapCommand& command);
+
+/// What is assumed, as read; `require_visits` says which assumptions a trace cannot have.
+/// @throws QueryError
+std::vector<StatedAssumption> read_assumptions(std::span<const std::string> texts);
+/// @throws InputError if they name visits that the trace does not have
+std::vector<Assumption> assumptions_of(std::span<const StatedAssumption> stated,
+                                       const Trace& trace);
+/// "assuming same(3, 9)" and the end of the line; nothing where nothing is assumed.
+std::string assuming_text(std::span<const Assumption> assumptions);
 
 MapTree::Options tree_options(const MapCommand& command, const AxiomSet& axioms);
 

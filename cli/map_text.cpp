@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "cli/map_parts.hpp"
+
 namespace asterism {
 namespace {
 
@@ -76,6 +78,7 @@ std::string report_text(const MapReport& report, std::size_t visits, std::size_t
   const std::string planar = report.options.planar ? "planar " : "";
   std::string text = fmt::format("{}: {}, {}\n", printable(report.trace), counted(visits, "visit"),
                                  counted(visits - 1, "travel"));
+  text += assuming_text(report.options.assumptions);
   if (report.per_visit)
     text += fmt::format("{}maps after each visit: {}\n", planar, fmt::join(*report.per_visit, " "));
   if (!report.complete) {
@@ -87,7 +90,8 @@ std::string report_text(const MapReport& report, std::size_t visits, std::size_t
   }
   if (report.consistent) {
     if (*report.consistent == 0)
-      text += fmt::format("no {}map explains the trace: none is left after visit {}\n", planar,
+      text += fmt::format("no {}map explains the trace{}: none is left after visit {}\n", planar,
+                          report.options.assumptions.empty() ? "" : " under these assumptions",
                           std::find(report.per_visit->begin(), report.per_visit->end(), 0U) -
                               report.per_visit->begin());
     else

@@ -30,6 +30,7 @@ struct MapCommand {
   AxiomOptions axioms;
   std::size_t visits = 0;           ///< of the trace
   std::optional<std::string> json;  ///< file, or "-"
+  std::vector<std::string> assume;  ///< texts of assumptions
   std::optional<std::string> svg_folder;
   std::optional<std::string> smt2_folder;
   std::vector<std::size_t> why_not;  ///< place of each visit, up to the one in question
@@ -46,6 +47,7 @@ struct ExplainCommand {
   MapCommand map;  ///< what maps to ask
   std::string query;
   bool only_minimal = false;
+  std::optional<std::string> svg;
 };
 inline constexpr double default_explain_s = 60;
 
@@ -62,6 +64,14 @@ struct NextCommand {
   MapCommand map;  ///< what maps to go on from
   ExitBounds bounds;
   std::optional<std::string> svg;
+};
+
+struct TestCommand {
+  std::string folder;
+  std::string check = "native";      ///< who decides
+  MapOptions limits;                 ///< of these, when to stop
+  std::optional<std::string> junit;  ///< file
+  bool update = false;               ///< record what comes out
 };
 
 struct SimulateCommand {
@@ -103,7 +113,8 @@ struct RunCommand {
   LogOptions laser;
   ScanDetectorOptions detector;
   MapOptions maps;
-  std::size_t models = 5;  ///< ranked and drawn
+  std::vector<std::string> assume;  ///< texts of assumptions
+  std::size_t models = 5;           ///< ranked and drawn
   bool only_minimal = false;
   double resolution_m = 0.05;  ///< of the global map
   bool json = false;
@@ -122,6 +133,7 @@ int query_command(const QueryCommand& command);
 int explain_command(const ExplainCommand& command);
 int verify_command(const VerifyCommand& command);
 int next_command(const NextCommand& command);
+int test_command(const TestCommand& command);
 int perceive_command(const PerceiveCommand& command);
 int run_command(const RunCommand& command);
 int simulate_command(const SimulateCommand& command);

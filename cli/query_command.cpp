@@ -59,6 +59,8 @@ void print_solved(const QueryReport& report) {
 }
 
 void print(const QueryCommand& command, const MapTree& tree, const QueryReport& report) {
+  const std::vector<Assumption>& assumptions = command.map.options.assumptions;
+  fmt::print("{}", assuming_text(assumptions));
   for (std::size_t i = 0; i < report.queries.size(); ++i) {
     const std::string text = one_line(report.queries[i].text);
     if (!report.answers) {
@@ -73,7 +75,8 @@ void print(const QueryCommand& command, const MapTree& tree, const QueryReport& 
     fmt::print("  it fails with visits at places {}\n", visits_text(*answer.counterexample));
   }
   if (report.answers && tree.size() == 0)
-    fmt::print("no map explains the trace: none is left after visit {}\n",
+    fmt::print("no map explains the trace{}: none is left after visit {}\n",
+               assumptions.empty() ? "" : " under these assumptions",
                std::ranges::find(tree.per_visit(), 0U) - tree.per_visit().begin());
 }
 
@@ -121,6 +124,8 @@ void write_json(std::ostream& out, const QueryCommand& command, const Trace& tra
                      {"optional_axioms", options.optional_axioms},
                      {"over", command.only_minimal ? "minimal" : "all"},
                      {"by", command.by_solver ? "solver" : "enumeration"}};
+  for (const Assumption& assumption : options.assumptions)
+    head["options"]["assumptions"].push_back(text_of(assumption));
   head["consistent"] = report.answers ? Json(tree.size()) : Json();
   head["complete"] = is_complete(report);
   if (report.stopped_by) head["stopped_by"] = *report.stopped_by;
@@ -151,7 +156,10 @@ void find_answers(const QueryCommand& command, const Trace& trace, MapTree& tree
 void ask_solver(const QueryCommand& command, const Trace& trace, const AxiomSet& axioms,
                 QueryReport& report) {
   const double seconds = command.map.options.time_limit_s.value_or(1e6);
-  report.solved = ask_solver(trace, axioms, command.map.options.planar, {}, report.queries,
+  std::vector<Claim> given;
+  for (const Assumption& assumption : command.map.options.assumptions)
+    given.push_back(claim_of(assumption));
+  report.solved = ask_solver(trace, axioms, command.map.options.planar, given, report.queries,
                              command.only_minimal, seconds);
   if (!is_complete(report)) report.stopped_by = fmt::format("time limit of {} s", seconds);
 }
@@ -173,9 +181,11 @@ int query_command(const QueryCommand& given) {
   QueryCommand command = given;
   QueryReport report;
   for (const std::string& text : command.queries) report.queries.push_back(read_query(text));
+  const auto stated = read_assumptions(command.map.assume);
   const Trace trace = read_trace_file(command.map.trace == "-" ? "/dev/stdin" : command.map.trace);
   for (const Query& query : report.queries) require_visits(query, trace);
   if (command.by_solver) command.map.options.check = "solver";
+  command.map.options.assumptions = assumptions_of(stated, trace);
   const AxiomSet axioms = read_axioms(command.map);
 
   Progress progress(trace.visits.size(), command.map.options.time_limit_s);

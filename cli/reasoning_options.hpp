@@ -17,5 +17,6 @@ void add_query(CLI::App& app, QueryCommand& command, std::function<int()>& chose
 void add_explain(CLI::App& app, ExplainCommand& command, std::function<int()>& chosen);
 void add_verify(CLI::App& app, VerifyCommand& command, std::function<int()>& chosen);
 void add_next(CLI::App& app, NextCommand& command, std::function<int()>& chosen);
+void add_test(CLI::App& app, TestCommand& command, std::function<int()>& chosen);
 
 }  // namespace asterism

@@ -83,9 +83,11 @@ MapTree tree_of(const MapCommand& command, const AxiomSet& axioms, const Trace& 
 }
 
 /// Why no map of the visits so far explains the next: all of them hold a segment by which the robot
-/// left, and that leads where something else is seen.
-std::string why_not(const Trace& trace, const TopologicalMap& map, bool planar) {
+/// left, and that leads where something else is seen, or is assumed.
+std::string why_not(const Trace& trace, const TopologicalMap& map, const MapOptions& options) {
   const std::size_t k = map.visits.size();
+  const std::string assumed =
+      options.assumptions.empty() ? "" : fmt::format(", assuming {}", text_of(options.assumptions));
   const PlaceArm left{map.visits.back(), map.left.back().value()};
   for (const auto& [one, other] : map.segments) {
     if (one != left && other != left) continue;
@@ -94,7 +96,11 @@ std::string why_not(const Trace& trace, const TopologicalMap& map, bool planar) 
     std::vector<Arrival> child = arrivals(map);
     child.push_back({reached.place, reached.arm});
     std::string names;
-    if (const auto reason = explain_dropped(trace, child, AxiomSet::shipped(), planar))
+    const auto reason = explain_dropped(trace, child, AxiomSet::shipped(), options.planar);
+    if (!reason && !assumed.empty())
+      return fmt::format("visit {} came by the way from place {} to place {}, and was not there{}",
+                         k, left.place.index(), reached.place.index(), assumed);
+    if (reason)
       for (const std::string& name : reason->axioms) names += (names.empty() ? "" : ", ") + name;
     return fmt::format(
         "visit {} came by the way from place {} to place {}, in by arm {}, where visit {} saw {}; "
@@ -104,7 +110,7 @@ std::string why_not(const Trace& trace, const TopologicalMap& map, bool planar) 
         trace.visits[k].star.name(trace.visits[k].entered_by.value()),
         names.empty() ? "" : fmt::format(" (against {})", names));
   }
-  return fmt::format("visit {} is at no place, known or new", k);
+  return fmt::format("visit {} is at no place, known or new{}", k, assumed);
 }
 
 Explained explain(const RunCommand& command, const Trace& trace) {
@@ -129,6 +135,9 @@ Explained explain(const RunCommand& command, const Trace& trace) {
                             result.trace.visits.end());
   if (explained < counts.size()) result.tree = tree_of(maps, axioms, result.trace);
   if (explained > 0) result.report.explained_visits = explained;
+  if (explained == 0 && !stopped_by)
+    result.why =
+        fmt::format("visit 0 is at no place, assuming {}", text_of(command.maps.assumptions));
   if (stopped_by) result.why = fmt::format("growing the tree was stopped: {}", *stopped_by);
   return result;
 }
@@ -211,6 +220,7 @@ RunReport report_of(const RunCommand& command, const Perceived& perceived,
   page.place_maps = perceived.place_maps;
   page.odometry_map = odometry_map(command, perceived.scans);
   page.planar = command.maps.planar;
+  page.assumptions = command.maps.assumptions;
   const auto own = explained.report.per_visit.value_or(std::vector<std::uint64_t>{});
   page.all_per_visit = page.planar ? explained.other_per_visit : own;
   page.planar_per_visit = page.planar ? own : explained.other_per_visit;
@@ -229,6 +239,7 @@ RunReport report_of(const RunCommand& command, const Perceived& perceived,
 }  // namespace
 
 int run_command(const RunCommand& asked) {
+  const auto stated = read_assumptions(asked.assume);
   ResultFolder results(asked.folder);
   const fs::path& folder = results.unfinished();
   RunCommand command = asked;
@@ -241,6 +252,7 @@ int run_command(const RunCommand& asked) {
 
   const Perceived perceived = perceive(command);
   stage_is_over("perceive");
+  command.maps.assumptions = assumptions_of(stated, perceived.trace);
   const std::size_t visits = perceived.trace.visits.size();
   tell(fmt::format("{}: {} scans, {} visits\n", printable(perceived.trace.name),
                    perceived.scans.size(), visits));
@@ -252,8 +264,7 @@ int run_command(const RunCommand& asked) {
   explained.report.ranked = rank(command, perceived, explained);
   stage_is_over("rank");
   if (explained.report.explained_visits && explained.why.empty())
-    explained.why =
-        why_not(perceived.trace, explained.report.ranked.front().map, command.maps.planar);
+    explained.why = why_not(perceived.trace, explained.report.ranked.front().map, command.maps);
   if (explained.report.explained_visits && explained.report.complete) tell(explained.why + '\n');
   if (explained.report.explained_visits && !explained.report.ranked.empty())
     tell(fmt::format("ranked: maps of the visits up to {}; later ones are drawn as measured\n",
@@ -279,7 +290,7 @@ int run_command(const RunCommand& asked) {
   else
     fmt::print("results are in {}: look at report.html first\n", asked.folder);
   if (!explained.report.complete) return exit_undecided;
-  return explained.report.explained_visits ? exit_inconsistent : exit_consistent;
+  return page.unexplained ? exit_inconsistent : exit_consistent;
 }
 
 }  // namespace asterism

@@ -31,7 +31,8 @@ std::string axioms_text(const RunReport& report) {
   const std::string visits = report.unexplained
                                  ? fmt::format("the first {}", explained_visits(report))
                                  : "the " + counted(report.trace.visits.size(), "visit");
-  return "of all ways to match visits, " +
+  return (report.assumptions.empty() ? "of all ways to match visits, "
+                                     : "of the ways to match visits that are as assumed, ") +
          (all ? counted(*all, "map") + explains(*all) + visits : "too many to count explain them");
 }
 
@@ -86,7 +87,11 @@ double tenths(double value) { return std::round(10 * value) / 10 + 0.0; }
 }  // namespace
 
 std::vector<RunReport::Decision> decisions(const RunReport& report, std::uint64_t preferred) {
-  std::vector<RunReport::Decision> result{{"axioms", axioms_text(report)}, by_planarity(report)};
+  std::vector<RunReport::Decision> result;
+  if (!report.assumptions.empty())
+    result.push_back({"assumptions", "taken as known: " + text_of(report.assumptions)});
+  result.push_back({"axioms", axioms_text(report)});
+  result.push_back(by_planarity(report));
   result.push_back(by_preference(report, preferred));
   if (!report.models.empty()) result.push_back(by_likelihood(report));
   return result;
@@ -116,6 +121,12 @@ std::string summary_json(const RunReport& report, bool complete) {
       "\"complete\": {},\n",
       report.scans, report.trace.visits.size(), explained_visits(report),
       report.consistent ? fmt::format("{}", *report.consistent) : "null", complete);
+  if (!report.assumptions.empty()) {
+    std::string texts;
+    for (const Assumption& assumption : report.assumptions)
+      texts += (texts.empty() ? "" : ", ") + json_quoted(text_of(assumption));
+    text += fmt::format("  \"assumptions\": [{}],\n", texts);
+  }
   if (report.unexplained)
     text += fmt::format("  \"why\": {},\n", json_quoted(report.unexplained->why));
   text += "  \"models\": [";

@@ -8,6 +8,7 @@
 #include "axioms/axiom_set.hpp"
 #include "cli/map_text.hpp"
 #include "cli/options.hpp"
+#include "cli/suite.hpp"
 #include "core/error.hpp"
 #include "io/carmen_log.hpp"
 #include "io/maps_file.hpp"
@@ -79,6 +80,10 @@ std::string maps_text(const MapReport& report) {
 /// Reads a file of whatever kind its name says; tells what it is.
 std::string validated(const std::string& file) {
   if (file.ends_with("maps.json")) return maps_text(read_maps_file(file));
+  if (file.ends_with("expect.json")) {
+    const Expectation expectation = read_expected_answers(file);
+    return fmt::format("what to expect: {}", size_text(expectation));
+  }
   if (is_named(file, ".log") || is_named(file, ".clf")) return log_text(file);
   if (is_named(file, ".tum")) return trajectory_text(read_trajectory_file(file), "trajectory");
   if (is_named(file, ".gmapping.txt"))

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/assumption.hpp"
 #include "core/ranked_map.hpp"
 #include "core/topological_map.hpp"
 
@@ -21,6 +22,7 @@ struct MapOptions {
   double certify_s = 10;                                 ///< seconds for certification; 0: none
   std::optional<std::uint64_t> max_hypotheses;           ///< live, on one level
   std::optional<double> time_limit_s;
+  std::vector<Assumption> assumptions = {};
   bool all = false;  ///< `maps` holds every hypothesis, not the minimal models alone
 };
 

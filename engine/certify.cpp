@@ -1,5 +1,6 @@
 #include "engine/certify.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
@@ -32,9 +33,12 @@ Verdict check_model(const ArmTable& table, const AxiomSet& axioms, std::span<con
 }
 
 Verdict exists_preferred(const Trace& trace, const AxiomSet& axioms, bool planar,
+                         std::span<const Assumption> assumptions,
                          const std::vector<std::size_t>& best, Clock::time_point deadline) {
   MapProblem problem(trace, axioms, 1e-3 * milliseconds_until(deadline));
   std::vector<Premise> premises = problem.premises(planar);
+  for (const Assumption& assumption : assumptions)
+    premises.push_back(problem.add(claim_of(assumption)));
   premises.push_back(problem.add(preferred_to(best, axioms)));
   return problem.check(premises);
 }
@@ -42,7 +46,8 @@ Verdict exists_preferred(const Trace& trace, const AxiomSet& axioms, bool planar
 }  // namespace
 
 Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
-                    std::span<const std::vector<Arrival>> models, double seconds) {
+                    std::span<const std::vector<Arrival>> models, double seconds,
+                    std::span<const Assumption> assumptions) {
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(std::min(seconds, 1e6)));
   ArmTable table;
@@ -52,7 +57,12 @@ Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
   for (const auto& model : models) {
     const TopologicalMap map = make_map(trace, model);
     if (!best) best = extents_by_preference(map, axioms);
-    if (extents_by_preference(map, axioms) != *best || (planar && !is_planar(map)))
+    const bool is_as_assumed = std::ranges::all_of(assumptions, [&](const Assumption& assumption) {
+      return agrees(assumption, map.visits.at(assumption.one.index()),
+                    map.visits.at(assumption.other.index()));
+    });
+    if (extents_by_preference(map, axioms) != *best || (planar && !is_planar(map)) ||
+        !is_as_assumed)
       return Certificate::refuted;
     switch (check_model(table, axioms, table.named(model), deadline)) {
       case Verdict::inconsistent:
@@ -64,7 +74,7 @@ Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
     }
   }
   if (!best) throw std::invalid_argument("no models to certify");
-  switch (exists_preferred(trace, axioms, planar, *best, deadline)) {
+  switch (exists_preferred(trace, axioms, planar, assumptions, *best, deadline)) {
     case Verdict::inconsistent:
       return Certificate::shown;
     case Verdict::consistent:

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "axioms/axiom_set.hpp"
+#include "core/assumption.hpp"
 #include "core/topological_map.hpp"
 #include "core/trace.hpp"
 
@@ -21,9 +22,12 @@ enum class Certificate {
 ///
 /// The second is put to a MapProblem: no star matching and no tree takes part.
 ///
+/// What is assumed is asked of both: the models hold it, and so must what would be preferred.
+///
 /// @param models   data associations of the minimal models; at least one
 /// @param seconds  time for all of it
 Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
-                    std::span<const std::vector<Arrival>> models, double seconds);
+                    std::span<const std::vector<Arrival>> models, double seconds,
+                    std::span<const Assumption> assumptions = {});
 
 }  // namespace asterism

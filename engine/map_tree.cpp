@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "engine/arm_table.hpp"
+#include "engine/assuming.hpp"
 #include "engine/native.hpp"
 #include "engine/preorder.hpp"
 #include "engine/solver.hpp"
@@ -52,6 +53,10 @@ Engine make_engine(const MapTree::Options& options, const ArmTable& table) {
   if (options.check == Check::solver) return solver;
   return BothEngines(std::move(native), std::move(solver), table);
 }
+
+template <class E>
+constexpr bool asks_no_solver =
+    std::is_same_v<E, NativeEngine> || std::is_same_v<E, Assuming<NativeEngine>>;
 
 /// Calls f(extents) at every leaf, in order. An engine that has just been reset follows each step.
 class ExtentsOfLeaves {
@@ -230,7 +235,7 @@ class MapTree::Growing::Pass {
   std::size_t levels_;
   std::uint64_t max_hypotheses_;
   static constexpr std::uint64_t children_between_questions =
-      std::is_same_v<E, NativeEngine> ? 1 << 16 : 16;  // some milliseconds
+      asks_no_solver<E> ? 1 << 16 : 16;  // some milliseconds
   std::uint64_t until_question_ = children_between_questions;
   Growth growth_ = Growth::complete;
 
@@ -249,7 +254,10 @@ MapTree::Growth MapTree::Growing::extend(std::span<const Visit> visits) {
     if (visits.empty()) return Growth::complete;
     const Growth growth = std::visit(
         [&](auto& e) {
-          return Pass<std::remove_reference_t<decltype(e)>>(*this, e, levels_before).run();
+          using E = std::remove_reference_t<decltype(e)>;
+          if (options.assumptions.empty()) return Pass<E>(*this, e, levels_before).run();
+          Assuming<E> assuming(e, table, options.assumptions);
+          return Pass<Assuming<E>>(*this, assuming, levels_before).run();
         },
         engine);
     if (growth != Growth::complete) undo();

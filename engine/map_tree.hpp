@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "axioms/axiom_set.hpp"
+#include "core/assumption.hpp"
 #include "core/error.hpp"
 #include "core/id.hpp"
 #include "core/topological_map.hpp"
@@ -47,6 +48,8 @@ class MapTree {
     std::uint64_t max_hypotheses = UINT64_MAX;
     /// For each question to the solver; past it the answer is *undecided*, and the child stays.
     unsigned solver_timeout_ms = 10'000;
+    /// What is known beside the trace; one that names a visit to come holds from then on.
+    std::vector<Assumption> assumptions = {};
     /// Asked now and then while growing, with the hypotheses found so far on the level in work;
     /// false stops the growth.
     std::function<bool(std::size_t visit, std::uint64_t hypotheses)> go_on = {};

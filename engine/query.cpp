@@ -121,9 +121,12 @@ class Asking {
 
 }  // namespace
 
-void require_visits(const Query& query, const Trace& trace) {
-  for (const auto& [visit, at, must_be_left] : query.mentions) {
-    const std::string where = character_of_query(query.text, at);
+namespace {
+
+void require_visits(std::string_view kind, const std::string& text,
+                    std::span<const Query::Mention> mentions, const Trace& trace) {
+  for (const auto& [visit, at, must_be_left] : mentions) {
+    const std::string where = character_of_query(text, at, kind);
     const std::string name = "visit " + std::to_string(visit.index());
     const std::size_t visits = trace.visits.size();
     if (visit.index() >= visits)
@@ -133,6 +136,21 @@ void require_visits(const Query& query, const Trace& trace) {
       throw InputError(where, name + ", of which the trace does not say how it was left",
                        "one that was left");
   }
+}
+
+}  // namespace
+
+Claim claim_of(const Assumption& assumption) {
+  const Claim same{Claim::Same{assumption.one, assumption.other}};
+  return assumption.kind == Assumption::Kind::same ? same : Claim{Claim::Not{{same}}};
+}
+
+void require_visits(const Query& query, const Trace& trace) {
+  require_visits("query", query.text, query.mentions, trace);
+}
+
+void require_visits(const StatedAssumption& stated, const Trace& trace) {
+  require_visits("assumption", stated.text, stated.mentions, trace);
 }
 
 bool holds(const Claim& claim, QueryMap& map) {

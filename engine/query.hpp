@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/assumption.hpp"
 #include "core/id.hpp"
 #include "core/topological_map.hpp"
 #include "core/trace.hpp"
@@ -61,6 +62,8 @@ struct Claim {
 
   std::variant<All, Any, Not, Same, Adjacent, On, OnPath, Order, SamePath, Comparison> is;
 };
+
+Claim claim_of(const Assumption& assumption);
 
 /// A question about the maps of a trace, as read from its text.
 struct Query {

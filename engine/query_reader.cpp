@@ -14,8 +14,9 @@ constexpr std::size_t excerpt_before = 40;
 constexpr std::size_t excerpt_after = 30;
 
 constexpr std::string_view expected_claim =
-    "same, adjacent, on, on_path, order, path_of, places, paths, segments, steps, a number, not or "
-    "'('";
+    "same, differ, adjacent, on, on_path, order, path_of, places, paths, segments, steps, a "
+    "number, "
+    "not or '('";
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -51,7 +52,7 @@ std::string shown(const Token& token) {
 /// The tokens of a query, one at a time.
 class Tokens {
  public:
-  explicit Tokens(std::string_view text) : text_(text) { next(); }
+  Tokens(std::string_view text, std::string_view kind) : text_(text), kind_(kind) { next(); }
 
   const Token& now() const { return now_; }
   bool is(std::string_view text) const { return now_.text == text; }
@@ -70,11 +71,11 @@ class Tokens {
     if (!take_if(text)) refuse("'" + std::string(text) + "'");
   }
   [[noreturn]] void refuse(const std::string& expected) const {
-    throw QueryError(text_, now_.at, shown(now_), expected);
+    throw QueryError(text_, now_.at, shown(now_), expected, kind_);
   }
   [[noreturn]] void refuse(std::size_t at, const std::string& found,
                            const std::string& expected) const {
-    throw QueryError(text_, at, found, expected);
+    throw QueryError(text_, at, found, expected, kind_);
   }
 
  private:
@@ -93,24 +94,34 @@ class Tokens {
       if (may_be_longer && end < text_.size() && text_[end] == '=') ++end;
       now_.kind = Token::Kind::sign;
     } else {
-      throw QueryError(text_, at, shown(text_, at), "a name, a number, a sign or a parenthesis");
+      throw QueryError(text_, at, shown(text_, at), "a name, a number, a sign or a parenthesis",
+                       kind_);
     }
     now_.text = text_.substr(at, end - at);
   }
 
   std::string_view text_;
+  std::string_view kind_;  ///< of text, in messages
   Token now_{Token::Kind::end, {}, 0};
 };
 
 /// Recursive descent, a function a rule of the grammar in docs/queries.md.
 class Reader {
  public:
-  explicit Reader(std::string_view text) : tokens_(text) {}
+  explicit Reader(std::string_view text, std::string_view kind = "query") : tokens_(text, kind) {}
 
   Claim read() {
     Claim claim = any();
     if (tokens_.now().kind != Token::Kind::end) tokens_.refuse("and, or, or the end");
     return claim;
+  }
+  Assumption read_assumption() {
+    const bool is_same = tokens_.is("same");
+    if (!is_same && !tokens_.is("differ")) tokens_.refuse("same or differ");
+    tokens_.take();
+    const Claim::Same named = visits<Claim::Same, 2>();
+    if (tokens_.now().kind != Token::Kind::end) tokens_.refuse("the end");
+    return {is_same ? Assumption::Kind::same : Assumption::Kind::differ, named.one, named.other};
   }
   std::vector<Query::Mention> mentions() && { return std::move(mentions_); }
 
@@ -153,6 +164,7 @@ class Reader {
       return {Claim::On{one, left}};
     }
     if (tokens_.take_if("same")) return of_visits<Claim::Same, 2>();
+    if (tokens_.take_if("differ")) return {Claim::Not{{of_visits<Claim::Same, 2>()}}};
     if (tokens_.take_if("adjacent")) return of_visits<Claim::Adjacent, 2>();
     if (tokens_.take_if("on_path")) return of_visits<Claim::OnPath, 2>();
     if (tokens_.take_if("order")) return of_visits<Claim::Order, 3>();
@@ -247,6 +259,12 @@ class Reader {
   std::size_t depth_ = 0;
 };
 
+void require_length(std::string_view text, std::string_view kind) {
+  if (text.size() > max_query_length)
+    throw QueryError(text, max_query_length, std::to_string(text.size()) + " bytes",
+                     "at most " + std::to_string(max_query_length), kind);
+}
+
 std::string excerpt_of(std::string_view text, std::size_t at) {
   std::size_t begin = at > excerpt_before ? at - excerpt_before : 0;
   while (begin > 0 && goes_on(text[begin])) --begin;
@@ -260,21 +278,27 @@ std::string excerpt_of(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-std::string character_of_query(std::string_view text, std::size_t at) {
-  return "query, character " + std::to_string(characters(text.substr(0, at)) + 1);
+std::string character_of_query(std::string_view text, std::size_t at, std::string_view kind) {
+  return std::string(kind) + ", character " + std::to_string(characters(text.substr(0, at)) + 1);
 }
 
 QueryError::QueryError(std::string_view text, std::size_t at, const std::string& found,
-                       const std::string& expected)
-    : InputError(character_of_query(text, at), found, expected), excerpt_(excerpt_of(text, at)) {}
+                       const std::string& expected, std::string_view kind)
+    : InputError(character_of_query(text, at, kind), found, expected),
+      excerpt_(excerpt_of(text, at)) {}
 
 Query read_query(std::string_view text) {
-  if (text.size() > max_query_length)
-    throw QueryError(text, max_query_length, std::to_string(text.size()) + " bytes",
-                     "at most " + std::to_string(max_query_length));
+  require_length(text, "query");
   Reader reader(text);
   Claim claim = reader.read();
   return {std::string(text), std::move(claim), std::move(reader).mentions()};
+}
+
+StatedAssumption read_assumption(std::string_view text) {
+  require_length(text, "assumption");
+  Reader reader(text, "assumption");
+  const Assumption assumption = reader.read_assumption();
+  return {std::string(text), assumption, std::move(reader).mentions()};
 }
 
 }  // namespace asterism

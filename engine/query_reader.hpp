@@ -3,17 +3,19 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/assumption.hpp"
 #include "core/error.hpp"
 #include "engine/query.hpp"
 
 namespace asterism {
 
-/// The text of a query is not one.
+/// The text of a query, or of an assumption, is not one.
 class QueryError : public InputError {
  public:
   QueryError(std::string_view text, std::size_t at, const std::string& found,
-             const std::string& expected);
+             const std::string& expected, std::string_view kind = "query");
 
   /// Two lines: the query, or the part of a long one that matters, and a caret below the character.
   const std::string& excerpt() const { return excerpt_; }
@@ -30,6 +32,21 @@ inline constexpr std::size_t max_query_depth = 100;    ///< parentheses and "not
 Query read_query(std::string_view text);
 
 /// Where a byte of a query stands, as messages say it: "query, character 8", counted from 1.
-std::string character_of_query(std::string_view text, std::size_t at);
+std::string character_of_query(std::string_view text, std::size_t at,
+                               std::string_view kind = "query");
+
+/// An assumption as read from its text.
+struct StatedAssumption {
+  std::string text;
+  Assumption assumption;
+  std::vector<Query::Mention> mentions;  ///< two
+};
+
+/// Reads 'same(3,9)' or 'differ(2,5)'.
+/// @throws QueryError  "assumption, character 8: found ...; expected ..."
+StatedAssumption read_assumption(std::string_view text);
+
+/// @throws InputError if it names a visit that the trace does not have
+void require_visits(const StatedAssumption& stated, const Trace& trace);
 
 }  // namespace asterism

@@ -103,6 +103,20 @@ void require_ranked(const JsonNode& root, const MapReport& report) {
                                                  std::to_string(visits) + ", one a visit");
 }
 
+/// Maps listed are as assumed. Those of a trace not explained may not reach the visits.
+void require_assumed(const JsonNode& maps, const TopologicalMap& map, std::size_t number,
+                     const MapReport& report) {
+  for (const Assumption& assumption : report.options.assumptions) {
+    const auto [one, other] = std::minmax({assumption.one.index(), assumption.other.index()});
+    if (other < map.visits.size() && !agrees(assumption, map.visits[one], map.visits[other]))
+      maps.items()[number]["visits"].refuse("visits " + std::to_string(one) + " and " +
+                                                std::to_string(other) + " at places " +
+                                                std::to_string(map.visits[one].index()) + " and " +
+                                                std::to_string(map.visits[other].index()),
+                                            text_of(assumption) + " as assumed");
+  }
+}
+
 }  // namespace
 
 void require_agreement(const JsonNode& root, const MapReport& report) {
@@ -113,6 +127,10 @@ void require_agreement(const JsonNode& root, const MapReport& report) {
     root["maps"].refuse(number_of_maps(report.maps.size()), "none, as minimal is null");
   if (report.explained_visits) require_unexplained(root, report);
   if (!report.ranked.empty()) require_ranked(root, report);
+  for (std::size_t i = 0; i < report.maps.size(); ++i)
+    require_assumed(root["maps"], report.maps[i], i, report);
+  for (std::size_t i = 0; i < report.ranked.size(); ++i)
+    require_assumed(root["ranked"], report.ranked[i].map, i, report);
 }
 
 }  // namespace asterism

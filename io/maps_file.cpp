@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "io/assumption_json.hpp"
 #include "io/atomic_file.hpp"
 #include "io/json_node.hpp"
 #include "io/map_json.hpp"
@@ -52,7 +53,10 @@ void write_options(std::ostream& out, const MapOptions& options) {
       << ", \"certify_s\": " << json_of(options.certify_s)
       << ", \"max_hypotheses\": " << json_of(options.max_hypotheses)
       << ", \"time_limit_s\": " << json_of(options.time_limit_s)
-      << ", \"all\": " << json_of(options.all) << " }";
+      << ", \"all\": " << json_of(options.all);
+  if (!options.assumptions.empty())
+    out << ", \"assumptions\": " << json_of(assumption_texts(options.assumptions));
+  out << " }";
 }
 
 std::vector<std::string> read_names(const JsonNode& node) {
@@ -73,7 +77,7 @@ double read_seconds(const JsonNode& node) {
 
 MapOptions read_options(const JsonNode& node) {
   node.require_keys({"planar", "check", "axioms", "optional_axioms", "preference", "certify_s",
-                     "max_hypotheses", "time_limit_s", "all"},
+                     "max_hypotheses", "time_limit_s", "all", "assumptions"},
                     Extensions::refused);
   MapOptions options;
   options.planar = node["planar"].boolean();
@@ -90,6 +94,8 @@ MapOptions read_options(const JsonNode& node) {
   if (const auto limit = node["time_limit_s"]; !limit.is_null())
     options.time_limit_s = read_seconds(limit);
   options.all = node["all"].boolean();
+  if (const auto assumed = node["assumptions"]; assumed.exists())
+    options.assumptions = read_assumptions(assumed);
   return options;
 }
 

@@ -38,6 +38,7 @@ std::string figures(const RunReport& report) {
   text += figure("duration", duration_text(report.duration_s));
   text += figure("driven", decimals(report.driven_m, 0) + " m");
   text += figure("visits", count_text(report.trace.visits.size()));
+  if (!report.assumptions.empty()) text += figure("assumed", xml_text(text_of(report.assumptions)));
   if (report.consistent)
     text += figure(report.planar ? "planar maps that explain them" : "maps that explain them",
                    count_text(*report.consistent));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/assumption.hpp"
 #include "core/grid.hpp"
 #include "core/map_report.hpp"
 #include "core/ranked_map.hpp"
@@ -44,6 +45,7 @@ struct RunReport {
   std::optional<Grid> odometry_map = {};             ///< the scans drawn where the wheels say
 
   bool planar = false;                               ///< whether maps had to be planar
+  std::vector<Assumption> assumptions = {};          ///< what maps had to hold
   std::vector<std::uint64_t> all_per_visit = {};     ///< hypotheses after visit k
   std::vector<std::uint64_t> planar_per_visit = {};  ///< those that can be drawn in the plane
   std::optional<std::uint64_t> consistent = {};      ///< hypotheses that explain the trace

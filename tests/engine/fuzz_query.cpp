@@ -23,10 +23,14 @@ Answer answer_to(const Query& query) { return ask(crossings(), {&query, 1}, fals
 }  // namespace
 
 /// Any bytes are a query or refused. A query names visits that are there, or is refused then; its
-/// opposite holds where it does not.
+/// opposite holds where it does not. What is an assumption is a query too.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text = fuzz_input(data, size);
   const auto query = accepted("query, character ", [&] { return read_query(text); });
+  const auto stated = accepted("assumption, character ", [&] { return read_assumption(text); });
+  require(query || !stated);
+  if (stated)
+    require(read_assumption(text_of(stated->assumption)).assumption == stated->assumption);
   if (!query) return 0;
   const auto answer = accepted("query, character ", [&] { return answer_to(*query); });
   const auto opposite =

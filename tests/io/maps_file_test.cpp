@@ -154,6 +154,7 @@ TEST_CASE("reports are read as they were written", "[io]") {
                       .certify_s = 0.1,
                       .max_hypotheses = std::numeric_limits<std::uint64_t>::max(),
                       .time_limit_s = 1e-3,
+                      .assumptions = {{Assumption::Kind::same, VisitId(1), VisitId(1)}},
                       .all = true};
   }
   SECTION("stopped") {

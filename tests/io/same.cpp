@@ -16,7 +16,7 @@ auto members(const MapReport::Minimal& m) {
 
 auto members(const MapOptions& o) {
   return std::tie(o.planar, o.check, o.axioms, o.optional_axioms, o.preference, o.certify_s,
-                  o.max_hypotheses, o.time_limit_s, o.all);
+                  o.max_hypotheses, o.time_limit_s, o.assumptions, o.all);
 }
 
 auto members(const PlaceDisplacement& d) { return std::tie(d.from, d.to, d.displacement); }
