@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -7,9 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "cli/answer_parts.hpp"
 #include "cli/grow.hpp"
 #include "cli/map_parts.hpp"
 #include "cli/progress.hpp"
+#include "cli/route_text.hpp"
 #include "core/error.hpp"
 #include "engine/query.hpp"
 #include "engine/query_reader.hpp"
@@ -26,6 +27,7 @@ struct QueryReport {
   std::optional<std::string> stopped_by;
   std::vector<Query> queries;
   std::optional<std::vector<Answer>> answers;
+  RouteReport routes;
 };
 
 const char* name_of(Modality modality) {
@@ -38,25 +40,6 @@ const char* name_of(Modality modality) {
       return "impossible";
   }
   return "";
-}
-
-/// "planar map", or "planar maps" if it is not one.
-std::string noun(const QueryCommand& command, std::uint64_t count) {
-  return fmt::format("{}{}{}", command.map.options.planar ? "planar " : "",
-                     command.only_minimal ? "minimal model" : "map", count == 1 ? "" : "s");
-}
-
-/// As it may be shown in one line: what is read has no control characters but white space.
-std::string one_line(std::string query) {
-  std::ranges::replace_if(
-      query, [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
-  return query;
-}
-
-std::string visits_text(const std::vector<Arrival>& arrivals) {
-  std::vector<std::size_t> places;
-  for (const Arrival& arrival : arrivals) places.push_back(arrival.place.index());
-  return fmt::format("{}", fmt::join(places, " "));
 }
 
 void print(const QueryCommand& command, const MapTree& tree, const QueryReport& report) {
@@ -76,17 +59,6 @@ void print(const QueryCommand& command, const MapTree& tree, const QueryReport& 
   if (report.answers && tree.size() == 0)
     fmt::print("no map explains the trace: none is left after visit {}\n",
                std::ranges::find(tree.per_visit(), 0U) - tree.per_visit().begin());
-}
-
-Json json_of(const std::optional<std::vector<Arrival>>& map) {
-  if (!map) return nullptr;
-  Json visits = Json::array();
-  Json entered = Json::array();
-  for (const Arrival& arrival : *map) {
-    visits.push_back(arrival.place.index());
-    entered.push_back(arrival.entered ? Json(*arrival.entered) : Json());
-  }
-  return {{"visits", visits}, {"entered", entered}};
 }
 
 Json json_of(const Query& query, const Answer* answer) {
@@ -119,7 +91,9 @@ void write_json(std::ostream& out, const QueryCommand& command, const Trace& tra
   for (std::size_t i = 0; i < report.queries.size(); ++i)
     out << (i == 0 ? "\n    " : ",\n    ")
         << json_of(report.queries[i], report.answers ? &report.answers->at(i) : nullptr).dump();
-  out << "]}\n";
+  out << ']';
+  if (!report.routes.queries.empty()) write_routes(out, report.routes);
+  out << "}\n";
 }
 
 /// Grows the tree and asks it, as far as the limits let it.
@@ -129,8 +103,10 @@ void find_answers(const QueryCommand& command, const Trace& trace, MapTree& tree
   if (!report.stopped_by && tree.undecided() > 0)
     report.stopped_by = fmt::format("{} candidates undecided by the solver", tree.undecided());
   if (report.stopped_by) return;
-  report.answers = ask(tree, report.queries, command.only_minimal,
-                       [&](std::uint64_t maps) { return progress(trace.visits.size() - 1, maps); });
+  const auto go_on = [&](std::uint64_t maps) { return progress(trace.visits.size() - 1, maps); };
+  report.answers = ask(tree, report.queries, command.only_minimal, go_on);
+  if (report.answers && !find_routes(tree, command.only_minimal, go_on, report.routes))
+    report.answers.reset();
   if (!report.answers) report.stopped_by = progress.stopped_by();
 }
 
@@ -139,9 +115,17 @@ void find_answers(const QueryCommand& command, const Trace& trace, MapTree& tree
 int query_command(const QueryCommand& given) {
   QueryCommand command = given;
   QueryReport report;
-  for (const std::string& text : command.queries) report.queries.push_back(read_query(text));
+  for (const std::string& text : command.queries) {
+    Question question = read_question(text);
+    if (auto* query = std::get_if<Query>(&question))
+      report.queries.push_back(std::move(*query));
+    else
+      report.routes.queries.push_back(std::get<RouteQuery>(std::move(question)));
+  }
   const Trace trace = read_trace_file(command.map.trace == "-" ? "/dev/stdin" : command.map.trace);
   for (const Query& query : report.queries) require_visits(query, trace);
+  for (const RouteQuery& query : report.routes.queries)
+    require_visits(query.text, query.mentions, trace);
   const AxiomSet axioms = read_axioms(command.map);
 
   Progress progress(trace.visits.size(), command.map.options.time_limit_s);
@@ -155,13 +139,14 @@ int query_command(const QueryCommand& given) {
     write(std::cout);
   } else {
     if (command.map.json) write_atomically(*command.map.json, write);
+    print_routes(command, trace, report.routes, report.stopped_by);
     print(command, tree, report);
   }
-  if (!report.answers) return exit_undecided;
+  if (!report.answers || report.routes.is_undecided()) return exit_undecided;
   const bool some_impossible = std::ranges::any_of(*report.answers, [](const Answer& answer) {
     return answer.modality() == Modality::impossible;
   });
-  return some_impossible ? exit_inconsistent : exit_consistent;
+  return some_impossible || report.routes.has_impossible() ? exit_inconsistent : exit_consistent;
 }
 
 }  // namespace asterism

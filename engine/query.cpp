@@ -80,17 +80,6 @@ bool compare(std::uint64_t left, Claim::Relation relation, std::uint64_t right) 
   return false;
 }
 
-/// Whether a map comes before another in reports: by (visits, entered).
-bool is_before(std::span<const Arrival> one, std::span<const Arrival> other) {
-  for (const auto part : {true, false})
-    for (std::size_t k = 0; k < one.size(); ++k) {
-      const auto order =
-          part ? one[k].place <=> other[k].place : one[k].entered <=> other[k].entered;
-      if (order != 0) return order < 0;
-    }
-  return false;
-}
-
 /// Asks one map after another.
 class Asking {
  public:
@@ -121,9 +110,20 @@ class Asking {
 
 }  // namespace
 
-void require_visits(const Query& query, const Trace& trace) {
-  for (const auto& [visit, at, must_be_left] : query.mentions) {
-    const std::string where = character_of_query(query.text, at);
+bool is_before(std::span<const Arrival> one, std::span<const Arrival> other) {
+  for (const auto part : {true, false})
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      const auto order =
+          part ? one[k].place <=> other[k].place : one[k].entered <=> other[k].entered;
+      if (order != 0) return order < 0;
+    }
+  return false;
+}
+
+void require_visits(std::string_view text, std::span<const Query::Mention> mentions,
+                    const Trace& trace) {
+  for (const auto& [visit, at, must_be_left] : mentions) {
+    const std::string where = character_of_query(text, at);
     const std::string name = "visit " + std::to_string(visit.index());
     const std::size_t visits = trace.visits.size();
     if (visit.index() >= visits)

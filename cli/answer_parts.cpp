@@ -1,0 +1,40 @@
+#include "cli/answer_parts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace asterism {
+
+using Json = nlohmann::ordered_json;
+
+std::string noun(const QueryCommand& command, std::uint64_t count) {
+  return fmt::format("{}{}{}", command.map.options.planar ? "planar " : "",
+                     command.only_minimal ? "minimal model" : "map", count == 1 ? "" : "s");
+}
+
+std::string one_line(std::string query) {
+  std::ranges::replace_if(
+      query, [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
+  return query;
+}
+
+std::string visits_text(const std::vector<Arrival>& arrivals) {
+  std::vector<std::size_t> places;
+  for (const Arrival& arrival : arrivals) places.push_back(arrival.place.index());
+  return fmt::format("{}", fmt::join(places, " "));
+}
+
+Json json_of(const std::optional<std::vector<Arrival>>& map) {
+  if (!map) return nullptr;
+  Json visits = Json::array();
+  Json entered = Json::array();
+  for (const Arrival& arrival : *map) {
+    visits.push_back(arrival.place.index());
+    entered.push_back(arrival.entered ? Json(*arrival.entered) : Json());
+  }
+  return {{"visits", visits}, {"entered", entered}};
+}
+
+}  // namespace asterism
