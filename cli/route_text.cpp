@@ -105,7 +105,8 @@ void print_route(const QueryCommand& command, const Trace& trace, const RouteQue
     fmt::print("  {}{}\n", answer->certain->empty() ? "" : start(trace, query),
                words(trace, query, *answer->certain));
   } else {
-    fmt::print("{}: {}, by no one route in all of {}\n", text, verdict(*answer), all);
+    fmt::print("{}: {}, {}\n", text, verdict(*answer),
+               answer->of == 0 ? "since there is no map" : "by no one route in all of " + all);
   }
   if (!answer->is_shortest)
     fmt::print("  undecided whether a shorter one is certain: there are too many to try\n");
