@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace asterism {
 
@@ -26,15 +27,15 @@ std::string visits_text(const std::vector<Arrival>& arrivals) {
   return fmt::format("{}", fmt::join(places, " "));
 }
 
-Json json_of(const std::optional<std::vector<Arrival>>& map) {
-  if (!map) return nullptr;
+std::string map_json(const std::optional<std::vector<Arrival>>& map) {
+  if (!map) return "null";
   Json visits = Json::array();
   Json entered = Json::array();
   for (const Arrival& arrival : *map) {
     visits.push_back(arrival.place.index());
     entered.push_back(arrival.entered ? Json(*arrival.entered) : Json());
   }
-  return {{"visits", visits}, {"entered", entered}};
+  return Json{{"visits", visits}, {"entered", entered}}.dump();
 }
 
 }  // namespace asterism

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +21,7 @@ std::string one_line(std::string query);
 /// A map as text tells it: the place of each visit.
 std::string visits_text(const std::vector<Arrival>& arrivals);
 
-/// As JSON does: "visits" and "entered", or null without a map.
-nlohmann::ordered_json json_of(const std::optional<std::vector<Arrival>>& map);
+/// As JSON does: an object of "visits" and "entered", or null without a map.
+std::string map_json(const std::optional<std::vector<Arrival>>& map);
 
 }  // namespace asterism

@@ -69,8 +69,8 @@ Json json_of(const Query& query, const Answer* answer) {
           {"verdict", name_of(answer->modality())},
           {"holds", answer->holds},
           {"of", answer->of},
-          {"witness", json_of(answer->witness)},
-          {"counterexample", json_of(answer->counterexample)}};
+          {"witness", Json::parse(map_json(answer->witness))},
+          {"counterexample", Json::parse(map_json(answer->counterexample))}};
 }
 
 /// A query a line.

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <string_view>
 
@@ -128,8 +129,9 @@ Json json_of(const RouteQuery& query, const RouteAnswer* answer) {
   result["shorter"] = Json::array();
   for (const RouteAnswer::InSome& route : answer->shorter) {
     if (result["shorter"].size() == most_in_json) break;
-    result["shorter"].push_back(
-        {{"turns", route.route}, {"maps", route.maps}, {"witness", json_of(route.witness)}});
+    result["shorter"].push_back({{"turns", route.route},
+                                 {"maps", route.maps},
+                                 {"witness", Json::parse(map_json(route.witness))}});
     unlisted -= route.maps;
   }
   result["unlisted"] = unlisted;

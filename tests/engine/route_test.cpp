@@ -192,8 +192,8 @@ TEST_CASE("a route is what searching all maps at once finds", "[engine][query][r
   CHECK(shorter > 60);
 }
 
-TEST_CASE("among very many maps a route is certain in each", "[engine][query][route]") {
-  const MapTree tree = tree_of(make_trace(kBenchmarkTraces[1]), false);
+TEST_CASE("among many maps a route is certain in each", "[engine][query][route]") {
+  const MapTree tree = tree_of(make_trace(kBenchmarkTraces[0]), false);
   const auto maps = written(tree);
   const RouteAnswer answer = find_route(tree, route_query(24, 2), false).value();
   REQUIRE(answer.certain);
