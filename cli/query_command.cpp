@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -11,6 +10,7 @@
 #include "cli/map_parts.hpp"
 #include "cli/progress.hpp"
 #include "cli/query_parts.hpp"
+#include "cli/route_text.hpp"
 #include "core/error.hpp"
 #include "engine/query.hpp"
 #include "engine/query_reader.hpp"
@@ -29,6 +29,7 @@ struct QueryReport {
   std::vector<Query> queries;
   std::optional<std::vector<Answer>> answers;
   std::vector<SolverAnswer> solved;  ///< where the solver was asked instead
+  RouteReport routes;
 };
 
 bool is_complete(const QueryReport& report) {
@@ -38,13 +39,8 @@ bool is_complete(const QueryReport& report) {
                                  });
 }
 
-/// "planar map", or "planar maps" if it is not one.
-std::string noun(const QueryCommand& command, std::uint64_t count) {
-  return fmt::format("{}{}{}", command.map.options.planar ? "planar " : "",
-                     command.only_minimal ? "minimal model" : "map", count == 1 ? "" : "s");
-}
-
-void print_solved(const QueryReport& report) {
+void print_solved(const QueryCommand& command, const QueryReport& report) {
+  fmt::print("{}", assuming_text(command.map.options.assumptions));
   for (std::size_t i = 0; i < report.solved.size(); ++i) {
     const SolverAnswer& answer = report.solved[i];
     const std::optional<Modality> modality = answer.modality();
@@ -80,17 +76,6 @@ void print(const QueryCommand& command, const MapTree& tree, const QueryReport& 
                std::ranges::find(tree.per_visit(), 0U) - tree.per_visit().begin());
 }
 
-Json json_of(const std::optional<std::vector<Arrival>>& map) {
-  if (!map) return nullptr;
-  Json visits = Json::array();
-  Json entered = Json::array();
-  for (const Arrival& arrival : *map) {
-    visits.push_back(arrival.place.index());
-    entered.push_back(arrival.entered ? Json(*arrival.entered) : Json());
-  }
-  return {{"visits", visits}, {"entered", entered}};
-}
-
 Json json_of(const Query& query, const Answer* answer) {
   if (answer == nullptr)
     return {{"query", query.text}, {"verdict", "undecided"}, {"holds", nullptr},
@@ -99,18 +84,19 @@ Json json_of(const Query& query, const Answer* answer) {
           {"verdict", name_of(answer->modality())},
           {"holds", answer->holds},
           {"of", answer->of},
-          {"witness", json_of(answer->witness)},
-          {"counterexample", json_of(answer->counterexample)}};
+          {"witness", Json::parse(map_json(answer->witness))},
+          {"counterexample", Json::parse(map_json(answer->counterexample))}};
 }
 
 Json json_of(const Query& query, const SolverAnswer& answer) {
   const auto modality = answer.modality();
-  return {{"query", query.text},
-          {"verdict", modality ? name_of(*modality) : "undecided"},
-          {"holds", nullptr},
-          {"of", nullptr},
-          {"witness", json_of(answer.witness)},
-          {"counterexample", json_of(answer.counterexample)}};
+  return {
+      {"query", query.text},
+      {"verdict", modality ? name_of(*modality) : "undecided"},
+      {"holds", nullptr},
+      {"of", nullptr},
+      {"witness", Json::parse(map_json(modality ? answer.witness : std::nullopt))},
+      {"counterexample", Json::parse(map_json(modality ? answer.counterexample : std::nullopt))}};
 }
 
 /// A query a line.
@@ -138,7 +124,9 @@ void write_json(std::ostream& out, const QueryCommand& command, const Trace& tra
             : json_of(report.queries[i], report.answers ? &report.answers->at(i) : nullptr);
     out << (i == 0 ? "\n    " : ",\n    ") << answer.dump();
   }
-  out << "]}\n";
+  out << ']';
+  if (!report.routes.queries.empty()) write_routes(out, report.routes);
+  out << "}\n";
 }
 
 /// Grows the tree and asks it, as far as the limits let it.
@@ -148,8 +136,10 @@ void find_answers(const QueryCommand& command, const Trace& trace, MapTree& tree
   if (!report.stopped_by && tree.undecided() > 0)
     report.stopped_by = fmt::format("{} candidates undecided by the solver", tree.undecided());
   if (report.stopped_by) return;
-  report.answers = ask(tree, report.queries, command.only_minimal,
-                       [&](std::uint64_t maps) { return progress(trace.visits.size() - 1, maps); });
+  const auto go_on = [&](std::uint64_t maps) { return progress(trace.visits.size() - 1, maps); };
+  report.answers = ask(tree, report.queries, command.only_minimal, go_on);
+  if (report.answers && !find_routes(tree, command.only_minimal, go_on, report.routes))
+    report.answers.reset();
   if (!report.answers) report.stopped_by = progress.stopped_by();
 }
 
@@ -165,14 +155,14 @@ void ask_solver(const QueryCommand& command, const Trace& trace, const AxiomSet&
 }
 
 int exit_code(const QueryReport& report) {
-  if (!is_complete(report)) return exit_undecided;
+  if (!is_complete(report) || report.routes.is_undecided()) return exit_undecided;
   const auto is_impossible = [](const auto& answer) {
     return answer.modality() == Modality::impossible;
   };
   const bool some_impossible =
       std::ranges::any_of(report.solved, is_impossible) ||
       (report.answers && std::ranges::any_of(*report.answers, is_impossible));
-  return some_impossible ? exit_inconsistent : exit_consistent;
+  return some_impossible || report.routes.has_impossible() ? exit_inconsistent : exit_consistent;
 }
 
 }  // namespace
@@ -180,10 +170,21 @@ int exit_code(const QueryReport& report) {
 int query_command(const QueryCommand& given) {
   QueryCommand command = given;
   QueryReport report;
-  for (const std::string& text : command.queries) report.queries.push_back(read_query(text));
+  for (const std::string& text : command.queries) {
+    Question question = read_question(text);
+    if (auto* query = std::get_if<Query>(&question))
+      report.queries.push_back(std::move(*query));
+    else
+      report.routes.queries.push_back(std::get<RouteQuery>(std::move(question)));
+  }
+  if (command.by_solver && !report.routes.queries.empty())
+    throw QueryError(report.routes.queries.front().text, 0, "a route, which the solver cannot find",
+                     "another query, or no --by solver");
   const auto stated = read_assumptions(command.map.assume);
   const Trace trace = read_trace_file(command.map.trace == "-" ? "/dev/stdin" : command.map.trace);
   for (const Query& query : report.queries) require_visits(query, trace);
+  for (const RouteQuery& query : report.routes.queries)
+    require_visits(query.text, query.mentions, trace);
   if (command.by_solver) command.map.options.check = "solver";
   command.map.options.assumptions = assumptions_of(stated, trace);
   const AxiomSet axioms = read_axioms(command.map);
@@ -202,7 +203,12 @@ int query_command(const QueryCommand& given) {
     write(std::cout);
   } else {
     if (command.map.json) write_atomically(*command.map.json, write);
-    command.by_solver ? print_solved(report) : print(command, tree, report);
+    if (command.by_solver) {
+      print_solved(command, report);
+    } else {
+      print_routes(command, trace, report.routes, report.stopped_by);
+      print(command, tree, report);
+    }
   }
   return exit_code(report);
 }

@@ -4,8 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace asterism {
+
+using Json = nlohmann::ordered_json;
+
+std::string noun(const QueryCommand& command, std::uint64_t count) {
+  return fmt::format("{}{}{}", command.map.options.planar ? "planar " : "",
+                     command.only_minimal ? "minimal model" : "map", count == 1 ? "" : "s");
+}
 
 std::string one_line(std::string query) {
   std::ranges::replace_if(
@@ -17,6 +25,17 @@ std::string visits_text(const std::vector<Arrival>& arrivals) {
   std::vector<std::size_t> places;
   for (const Arrival& arrival : arrivals) places.push_back(arrival.place.index());
   return fmt::format("{}", fmt::join(places, " "));
+}
+
+std::string map_json(const std::optional<std::vector<Arrival>>& map) {
+  if (!map) return "null";
+  Json visits = Json::array();
+  Json entered = Json::array();
+  for (const Arrival& arrival : *map) {
+    visits.push_back(arrival.place.index());
+    entered.push_back(arrival.entered ? Json(*arrival.entered) : Json());
+  }
+  return Json{{"visits", visits}, {"entered", entered}}.dump();
 }
 
 std::vector<Arrival> whole(const PartialMap& map) {

@@ -24,8 +24,9 @@ void add_query(CLI::App& app, QueryCommand& command, std::function<int()>& chose
   asterism query drive.trace.json 'same(3,9) and not on_path(0,4)' 'places < 9' --planar
   asterism query drive.trace.json 'steps(0,12) <= 2' --over minimal --json - | jq .queries
   asterism query drive.trace.json 'same(2,14)' --assume 'same(0,8)'
+  asterism query drive.trace.json 'route(12,0)' --planar
 docs/queries.md has the grammar. A query is certain, possible or impossible: it holds in all maps,
-in some, or in none.
+in some, or in none. A route is turns and travels that lead there in all.
 Exit code: 0 all are certain or possible, 1 one is impossible or no map explains the trace,
 2 stopped by a limit or Ctrl-C, 64 usage or a text that is no query, 65 bad input or a visit that the
 trace does not have, 70 internal fault or a result that cannot be written.)");

@@ -80,17 +80,6 @@ bool compare(std::uint64_t left, Claim::Relation relation, std::uint64_t right) 
   return false;
 }
 
-/// Whether a map comes before another in reports: by (visits, entered).
-bool is_before(std::span<const Arrival> one, std::span<const Arrival> other) {
-  for (const auto part : {true, false})
-    for (std::size_t k = 0; k < one.size(); ++k) {
-      const auto order =
-          part ? one[k].place <=> other[k].place : one[k].entered <=> other[k].entered;
-      if (order != 0) return order < 0;
-    }
-  return false;
-}
-
 /// Asks one map after another.
 class Asking {
  public:
@@ -121,10 +110,18 @@ class Asking {
 
 }  // namespace
 
-namespace {
+bool is_before(std::span<const Arrival> one, std::span<const Arrival> other) {
+  for (const auto part : {true, false})
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      const auto order =
+          part ? one[k].place <=> other[k].place : one[k].entered <=> other[k].entered;
+      if (order != 0) return order < 0;
+    }
+  return false;
+}
 
-void require_visits(std::string_view kind, const std::string& text,
-                    std::span<const Query::Mention> mentions, const Trace& trace) {
+void require_visits(std::string_view text, std::span<const Query::Mention> mentions,
+                    const Trace& trace, std::string_view kind) {
   for (const auto& [visit, at, must_be_left] : mentions) {
     const std::string where = character_of_query(text, at, kind);
     const std::string name = "visit " + std::to_string(visit.index());
@@ -138,19 +135,13 @@ void require_visits(std::string_view kind, const std::string& text,
   }
 }
 
-}  // namespace
-
 Claim claim_of(const Assumption& assumption) {
   const Claim same{Claim::Same{assumption.one, assumption.other}};
   return assumption.kind == Assumption::Kind::same ? same : Claim{Claim::Not{{same}}};
 }
 
-void require_visits(const Query& query, const Trace& trace) {
-  require_visits("query", query.text, query.mentions, trace);
-}
-
 void require_visits(const StatedAssumption& stated, const Trace& trace) {
-  require_visits("assumption", stated.text, stated.mentions, trace);
+  require_visits(stated.text, stated.mentions, trace, "assumption");
 }
 
 bool holds(const Claim& claim, QueryMap& map) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -82,7 +83,11 @@ struct Query {
 /// @throws InputError if the query names a visit that the trace does not have, or asks by which
 /// path
 ///         the robot left one that it did not leave
-void require_visits(const Query& query, const Trace& trace);
+void require_visits(std::string_view text, std::span<const Query::Mention> mentions,
+                    const Trace& trace, std::string_view kind = "query");
+inline void require_visits(const Query& query, const Trace& trace) {
+  require_visits(query.text, query.mentions, trace);
+}
 
 /// @pre  the visits of the claim are visits of the map
 bool holds(const Claim& claim, QueryMap& map);
@@ -104,6 +109,9 @@ struct Answer {
 
   Modality modality() const;
 };
+
+/// Whether a map comes before another in reports: by (visits, entered).
+bool is_before(std::span<const Arrival> one, std::span<const Arrival> other);
 
 /// Asks all maps of the tree, or its minimal models. Holds none of them but those of the answers.
 ///

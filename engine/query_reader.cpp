@@ -55,16 +55,18 @@ class Tokens {
   Tokens(std::string_view text, std::string_view kind) : text_(text), kind_(kind) { next(); }
 
   const Token& now() const { return now_; }
+  bool is_first() const { return taken_ == 0; }
   bool is(std::string_view text) const { return now_.text == text; }
   /// Goes on behind the one that is now, which it returns.
   Token take() {
     const Token taken = now_;
+    ++taken_;
     next();
     return taken;
   }
   bool take_if(std::string_view text) {
     if (!is(text)) return false;
-    next();
+    take();
     return true;
   }
   void require(std::string_view text) {
@@ -102,30 +104,55 @@ class Tokens {
 
   std::string_view text_;
   std::string_view kind_;  ///< of text, in messages
+  std::size_t taken_ = 0;
   Token now_{Token::Kind::end, {}, 0};
 };
+
+std::string_view within_length(std::string_view text, std::string_view kind) {
+  if (text.size() > max_query_length)
+    throw QueryError(text, max_query_length, std::to_string(text.size()) + " bytes",
+                     "at most " + std::to_string(max_query_length), kind);
+  return text;
+}
 
 /// Recursive descent, a function a rule of the grammar in docs/queries.md.
 class Reader {
  public:
-  explicit Reader(std::string_view text, std::string_view kind = "query") : tokens_(text, kind) {}
+  /// @throws QueryError if it is too long
+  explicit Reader(std::string_view text, std::string_view kind = "query")
+      : text_(text), tokens_(within_length(text, kind), kind) {}
 
-  Claim read() {
+  Query read() {
     Claim claim = any();
-    if (tokens_.now().kind != Token::Kind::end) tokens_.refuse("and, or, or the end");
-    return claim;
+    require_end("and, or, or the end");
+    return {std::string(text_), std::move(claim), std::move(mentions_)};
   }
-  Assumption read_assumption() {
+
+  Question read_with_routes() {
+    if (!tokens_.take_if("route")) {
+      first_may_be_route_ = true;
+      return read();
+    }
+    const auto ends = visits<std::pair<VisitId, VisitId>, 2>();
+    require_end("the end, since a route is asked for alone");
+    return RouteQuery{std::string(text_), ends.first, ends.second, std::move(mentions_)};
+  }
+
+  StatedAssumption read_assumption() {
     const bool is_same = tokens_.is("same");
     if (!is_same && !tokens_.is("differ")) tokens_.refuse("same or differ");
     tokens_.take();
     const Claim::Same named = visits<Claim::Same, 2>();
-    if (tokens_.now().kind != Token::Kind::end) tokens_.refuse("the end");
-    return {is_same ? Assumption::Kind::same : Assumption::Kind::differ, named.one, named.other};
+    require_end("the end");
+    const auto kind = is_same ? Assumption::Kind::same : Assumption::Kind::differ;
+    return {std::string(text_), {kind, named.one, named.other}, std::move(mentions_)};
   }
-  std::vector<Query::Mention> mentions() && { return std::move(mentions_); }
 
  private:
+  void require_end(const std::string& expected) const {
+    if (tokens_.now().kind != Token::Kind::end) tokens_.refuse(expected);
+  }
+
   Claim any() {
     std::vector<Claim> parts{all()};
     while (tokens_.take_if("or")) parts.push_back(all());
@@ -168,7 +195,9 @@ class Reader {
     if (tokens_.take_if("adjacent")) return of_visits<Claim::Adjacent, 2>();
     if (tokens_.take_if("on_path")) return of_visits<Claim::OnPath, 2>();
     if (tokens_.take_if("order")) return of_visits<Claim::Order, 3>();
-    const Claim::Number left = number(std::string(expected_claim));
+    const bool may_be_route = first_may_be_route_ && tokens_.is_first();
+    const Claim::Number left =
+        number((may_be_route ? "route, " : "") + std::string(expected_claim));
     const Claim::Relation relation = this->relation();
     return {
         Claim::Comparison{left, relation, number("places, paths, segments, steps or a number")}};
@@ -254,16 +283,12 @@ class Reader {
     return std::stoull(std::string(token.text));
   }
 
+  std::string_view text_;
   Tokens tokens_;
   std::vector<Query::Mention> mentions_;
+  bool first_may_be_route_ = false;
   std::size_t depth_ = 0;
 };
-
-void require_length(std::string_view text, std::string_view kind) {
-  if (text.size() > max_query_length)
-    throw QueryError(text, max_query_length, std::to_string(text.size()) + " bytes",
-                     "at most " + std::to_string(max_query_length), kind);
-}
 
 std::string excerpt_of(std::string_view text, std::size_t at) {
   std::size_t begin = at > excerpt_before ? at - excerpt_before : 0;
@@ -287,18 +312,12 @@ QueryError::QueryError(std::string_view text, std::size_t at, const std::string&
     : InputError(character_of_query(text, at, kind), found, expected),
       excerpt_(excerpt_of(text, at)) {}
 
-Query read_query(std::string_view text) {
-  require_length(text, "query");
-  Reader reader(text);
-  Claim claim = reader.read();
-  return {std::string(text), std::move(claim), std::move(reader).mentions()};
-}
+Query read_query(std::string_view text) { return Reader(text).read(); }
+
+Question read_question(std::string_view text) { return Reader(text).read_with_routes(); }
 
 StatedAssumption read_assumption(std::string_view text) {
-  require_length(text, "assumption");
-  Reader reader(text, "assumption");
-  const Assumption assumption = reader.read_assumption();
-  return {std::string(text), assumption, std::move(reader).mentions()};
+  return Reader(text, "assumption").read_assumption();
 }
 
 }  // namespace asterism

@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "core/assumption.hpp"
 #include "core/error.hpp"
 #include "engine/query.hpp"
+#include "engine/route.hpp"
 
 namespace asterism {
 
@@ -30,6 +32,13 @@ inline constexpr std::size_t max_query_depth = 100;    ///< parentheses and "not
 /// Reads 'same(3,9) and not on_path(0,4)': the grammar is in docs/queries.md.
 /// @throws QueryError  "query, character 8: found ...; expected ..."
 Query read_query(std::string_view text);
+
+/// Whatever may be asked of the maps of a trace.
+using Question = std::variant<Query, RouteQuery>;
+
+/// Reads the same, or 'route(0,9)', which stands alone.
+/// @throws QueryError
+Question read_question(std::string_view text);
 
 /// Where a byte of a query stands, as messages say it: "query, character 8", counted from 1.
 std::string character_of_query(std::string_view text, std::size_t at,

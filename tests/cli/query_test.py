@@ -101,6 +101,88 @@ class Answers(Folder):
         self.assertEqual(done.stdout, "same(0, 0): certain, in 107 of 107 maps\n")
 
 
+def step(mapped, at, turn):
+    """Where a turn and a travel lead from [place, arm come in by]; None if that is not known."""
+    place, arm = at
+    size = len(mapped["places"][place]["star"].split())
+    for segment in mapped["segments"]:
+        for one, other in (segment, segment[::-1]):
+            if turn < size and one == [place, (arm + turn) % size]:
+                return other
+    return None
+
+
+def walk(mapped, visit, turns):
+    at = [mapped["visits"][visit], mapped["entered"][visit] or 0]
+    for turn in turns:
+        at = at and step(mapped, at, turn)
+    return at and at[0]
+
+
+def travels(mapped, start, end):
+    """The least number of them from one place to another."""
+    reached, count = {start}, 0
+    while end not in reached:
+        count += 1
+        joined = [{p, q} for (p, _), (q, _) in mapped["segments"]]
+        reached = reached.union(*(places for places in joined if places & reached))
+    return count
+
+
+class Routes(Folder):
+    def test_lead_there_in_all_maps_listed(self):
+        pairs = [(0, 9), (9, 0), (5, 13), (12, 9), (14, 8), (3, 3), (2, 10)]
+        for planar in ([], ["--planar"]):
+            listed = json.loads(run("map", ACES, "--all", "--json", "-", *planar).stdout)["maps"]
+            code, found = answers(ACES, *planar, *(f"route({i}, {j})" for i, j in pairs))
+            self.assertEqual((code, found["queries"], len(found["routes"])), (0, [], len(pairs)))
+            for (i, j), answer in zip(pairs, found["routes"]):
+                with self.subTest(planar=planar, i=i, j=j):
+                    self.assertEqual((answer["verdict"], answer["is_shortest"], answer["of"]),
+                                     ("certain", True, len(listed)))
+                    turns = answer["turns"]
+                    self.assertLessEqual(len(turns), abs(i - j))
+                    self.assertTrue(all(walk(m, i, turns) == m["visits"][j] for m in listed))
+                    least = [travels(m, m["visits"][i], m["visits"][j]) for m in listed]
+                    self.assertEqual(sum(some["maps"] for some in answer["shorter"]),
+                                     sum(one < len(turns) for one in least))
+                    self.assertEqual(answer["unlisted"], 0)
+                    for some in answer["shorter"]:
+                        witness, = (m for m in listed if m["visits"] == some["witness"]["visits"]
+                                    and m["entered"] == some["witness"]["entered"])
+                        self.assertEqual(walk(witness, i, some["turns"]), witness["visits"][j])
+                        self.assertEqual(len(some["turns"]), least[listed.index(witness)])
+
+    def test_are_told_apart_from_queries(self):
+        code, found = answers(ACES, "same(0, 1)", "route(0, 9)", "--over", "minimal", "--planar")
+        self.assertEqual((code, found["queries"][0]["verdict"]), (1, "impossible"))
+        self.assertEqual((found["routes"][0]["turns"], found["routes"][0]["of"]), ([2], 1))
+        self.assertNotIn("routes", answers(ACES, "same(0, 1)")[1])
+        done = run("query", ACES, "same(0, 0)", "route(0,\t9)", "--over", "minimal", "--planar")
+        self.assertEqual(done.stdout, "route(0, 9): certain, by 1 travel, in 1 of 1 planar minimal model\n"
+                         "  as if come in by v+, leave by the 2nd arm clockwise, v-, travel\n"
+                         "same(0, 0): certain, in 1 of 1 planar minimal model\n")
+
+    def test_undecided_and_none(self):
+        code, found = answers(ACES, "route(0, 9)", "same(0, 0)", "--max-hypotheses", "20")
+        self.assertEqual((code, found["complete"]), (2, False))
+        answer, = found["routes"]
+        self.assertEqual((answer.pop("query"), answer.pop("verdict")), ("route(0, 9)", "undecided"))
+        self.assertEqual(set(answer.values()), {None})
+        done = run("query", ACES, "route(0, 9)", "--max-hypotheses", "20")
+        self.assertEqual(done.stdout, "route(0, 9): undecided, stopped by limit of 20 hypotheses\n")
+
+        end, tee = "a+1 a-0", "a+1 b+1 a-1 b-1"
+        file = self.file("no.trace.json", json.dumps(
+            {"format": "asterism/trace", "version": 1, "name": "no",
+             "visits": [{"star": end, "left_by": "a+"},
+                        {"star": tee, "entered_by": "a+", "left_by": "a+"},
+                        {"star": tee, "entered_by": "a+"}]}))
+        done = run("query", file, "route(0, 2)")
+        self.assertEqual((done.returncode, done.stdout.splitlines()[0]),
+                         (1, "route(0, 2): impossible, since there is no map"))
+
+
 class Limits(Folder):
     def setUp(self):
         super().setUp()
@@ -155,6 +237,8 @@ class BadInput(Folder):
     def test_a_visit_that_is_not_there(self):
         message = self.refused(65, ACES, "same(0, 15)")
         self.assertEqual(message, "asterism: query, character 9: found visit 15; expected 0 to 14\n")
+        message = self.refused(65, ACES, "route(0, 15)")
+        self.assertEqual(message, "asterism: query, character 10: found visit 15; expected 0 to 14\n")
         self.assertIn("how it was left", self.refused(65, ACES, "on(0, path_of(14))"))
 
     def test_files_and_usage(self):

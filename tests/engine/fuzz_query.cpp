@@ -18,20 +18,36 @@ const MapTree& crossings() {
   return tree;
 }
 
+/// A route leads there in all these maps, since the trace's own way does.
+void require_route(const RouteQuery& query) {
+  const auto answer =
+      accepted("query, character ", [&] { return *find_route(crossings(), query, false); });
+  if (!answer) return;
+  const std::size_t from = query.from.index();
+  const std::size_t to = query.to.index();
+  require(answer->of == crossings().size() && answer->is_shortest && answer->certain.has_value());
+  require(answer->certain->size() <= (from < to ? to - from : from - to));
+}
+
 Answer answer_to(const Query& query) { return ask(crossings(), {&query, 1}, false)->front(); }
 
 }  // namespace
 
 /// Any bytes are a query or refused. A query names visits that are there, or is refused then; its
-/// opposite holds where it does not. What is an assumption is a query too.
+/// opposite holds where it does not. A route has no opposite. What is an assumption is a query too.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text = fuzz_input(data, size);
-  const auto query = accepted("query, character ", [&] { return read_query(text); });
+  const auto question = accepted("query, character ", [&] { return read_question(text); });
   const auto stated = accepted("assumption, character ", [&] { return read_assumption(text); });
-  require(query || !stated);
+  require(question || !stated);
   if (stated)
     require(read_assumption(text_of(stated->assumption)).assumption == stated->assumption);
-  if (!query) return 0;
+  if (!question) return 0;
+  if (const auto* route = std::get_if<RouteQuery>(&*question)) {
+    require_route(*route);
+    return 0;
+  }
+  const Query* query = &std::get<Query>(*question);
   const auto answer = accepted("query, character ", [&] { return answer_to(*query); });
   const auto opposite =
       accepted("query, character ", [&] { return read_query("not (" + text + ")"); });

@@ -10,7 +10,7 @@ namespace {
 
 QueryError refusal(const std::string& text) {
   try {
-    read_query(text);
+    read_question(text);
   } catch (const QueryError& error) {
     return error;
   }
@@ -33,7 +33,7 @@ TEST_CASE("texts that are queries are read", "[engine][query][corpus]") {
   for (const auto& file : files) {
     INFO(file);
     const std::string text = content(file);
-    CHECK(read_query(text).text == text);
+    CHECK(std::visit([](const auto& read) { return read.text; }, read_question(text)) == text);
   }
 }
 
@@ -61,11 +61,26 @@ TEST_CASE("each visit is remembered with where it is named", "[engine][query]") 
   }
 }
 
+TEST_CASE("a route is asked for alone", "[engine][query]") {
+  const auto route = std::get<RouteQuery>(read_question(" route( 12,3 ) "));
+  CHECK((route.from == VisitId(12) && route.to == VisitId(3) && route.text == " route( 12,3 ) "));
+  REQUIRE(route.mentions.size() == 2);
+  CHECK((route.mentions[0].at == 8 && route.mentions[1].at == 11));
+  CHECK(std::holds_alternative<Query>(read_question("same(0, 1)")));
+  // Where only what is true or false may stand, it is not even offered.
+  for (const std::string text : {"route(0, 1)", "rouet(0, 1)"}) try {
+      read_query(text);
+      FAIL("a query");
+    } catch (const QueryError& error) {
+      CHECK(std::string(error.what()).find("; expected same, adjacent,") != std::string::npos);
+    }
+}
+
 TEST_CASE("any row of words is a query or refused", "[engine][query][property]") {
-  const std::string words[] = {"same", "on",        "order", "path_of", "places",      "steps",
-                               "and",  "or",        "not",   "(",       ")",           "(",
-                               ")",    ",",         "=",     "!=",      "<",           "0",
-                               "12",   "same(0,1)", "paths", "!",       "order(0,1,2)"};
+  const std::string words[] = {
+      "same", "on",    "order",      "path_of",   "places", "steps", "and",         "or", "not",
+      "(",    ")",     "(",          ")",         ",",      "=",     "!=",          "<",  "0",
+      "12",   "route", "route(0,1)", "same(0,1)", "paths",  "!",     "order(0,1,2)"};
   RandomEngine engine(5);
   std::size_t read = 0;
   for (int i = 0; i < 20'000; ++i) {
@@ -73,7 +88,7 @@ TEST_CASE("any row of words is a query or refused", "[engine][query][property]")
     for (std::size_t n = below(9, engine); n > 0; --n)
       text += words[below(std::size(words), engine)] + ' ';
     try {
-      read_query(text);
+      read_question(text);
       ++read;
     } catch (const QueryError& error) {
       REQUIRE(std::string(error.what()).starts_with("query, character "));
