@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "core/experience.hpp"
+
+namespace asterism {
+
+// Plain ways to get what the engine says of the basic SSH, to judge it by.
+
+/// The dstate of each view, numbered by first view.
+using Naming = std::vector<std::size_t>;
+
+/// Every partition of the views whose facts plain forward chaining does not refute, sorted.
+std::vector<Naming> every_ssh_map(const Experience& experience);
+
+/// Paths and places, by telling dstates that are joined the least number until nothing changes.
+std::pair<std::size_t, std::size_t> plain_extents(const Experience& experience,
+                                                  const Naming& naming);
+
+/// Whether some circular order of segments round each place gives V - E + F = 2, part by part.
+/// Tries all: for places of few segments.
+bool has_plane_embedding(std::size_t vertices,
+                         const std::vector<std::pair<std::size_t, std::size_t>>& edges);
+/// The same for places and travels of a map.
+bool has_plane_embedding(const Experience& experience, const Naming& naming);
+
+/// Of random symbols, or of a walk through a random world, some views of which are alike.
+Experience seeded_experience(unsigned seed, std::size_t views);
+
+}  // namespace asterism
