@@ -12,6 +12,7 @@
 #include "cli/map_parts.hpp"
 #include "cli/map_text.hpp"
 #include "cli/progress.hpp"
+#include "cli/ssh_map.hpp"
 #include "engine/map_tree.hpp"
 #include "io/atomic_file.hpp"
 #include "io/chart_svg.hpp"
@@ -92,7 +93,10 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
 
 int map_command(const MapCommand& given) {
   MapCommand command = given;
-  const Trace trace = read_trace_file(command.trace == "-" ? "/dev/stdin" : command.trace);
+  const AnyTrace any = read_any_trace_file(command.trace == "-" ? "/dev/stdin" : command.trace);
+  if (const auto* experience = std::get_if<Experience>(&any))
+    return map_experience(command, *experience);
+  const Trace& trace = std::get<Trace>(any);
   const AxiomSet axioms = read_axioms(command);
   command.visits = trace.visits.size();
   if (!command.why_not.empty()) return why_not(command, axioms, trace);

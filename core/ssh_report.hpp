@@ -15,12 +15,13 @@ namespace asterism {
 struct SshReport {
   Experience experience;
   MapOptions options;
-  std::optional<std::uint64_t> consistent;             ///< absent: not listed
-  std::optional<std::vector<std::uint64_t>> per_view;  ///< maps after view k
+  std::optional<std::uint64_t> consistent = {};             ///< absent: not listed
+  std::optional<std::vector<std::uint64_t>> per_view = {};  ///< maps after view k
   bool complete = true;
-  std::optional<std::string> stopped_by;      ///< which limit, where not complete
-  std::optional<MapReport::Minimal> minimal;  ///< absent: nothing is consistent, or not all listed
-  std::vector<SshMap> maps;                   ///< sorted by dstates
+  std::optional<std::string> stopped_by = {};  ///< which limit, where not complete
+  std::optional<MapReport::Minimal> minimal =
+      {};                         ///< absent: nothing is consistent, or not all listed
+  std::vector<SshMap> maps = {};  ///< sorted by dstates
 };
 
 }  // namespace asterism
