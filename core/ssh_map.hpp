@@ -34,6 +34,8 @@ struct SshMap {
 
   std::size_t number_of_places() const;
   std::size_t number_of_paths() const;
+
+  friend bool operator==(const SshMap&, const SshMap&) = default;
 };
 
 /// Writes out what follows if these views were seen at these dstates. Explains the first

@@ -14,7 +14,7 @@ namespace asterism {
 /// Everything a run on an experience of the basic SSH found out: the content of its maps file.
 struct SshReport {
   Experience experience;
-  MapOptions options;
+  MapOptions options = {};
   std::optional<std::uint64_t> consistent = {};             ///< absent: not listed
   std::optional<std::vector<std::uint64_t>> per_view = {};  ///< maps after view k
   bool complete = true;

@@ -4,6 +4,7 @@
 
 #include "core/experience.hpp"
 #include "core/map_report.hpp"
+#include "core/ssh_report.hpp"
 #include "core/trace.hpp"
 
 namespace asterism {
@@ -11,6 +12,7 @@ namespace asterism {
 /// Whether two hold the same, member by member.
 bool same(const Trace& a, const Trace& b);
 bool same(const MapReport& a, const MapReport& b);
+bool same(const SshReport& a, const SshReport& b);
 inline bool same(const Experience& a, const Experience& b) { return a == b; }
 
 /// Whether one of either kind is this one.
