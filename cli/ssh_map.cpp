@@ -100,8 +100,9 @@ void write_problems(const std::filesystem::path& folder, const Experience& exper
 }  // namespace
 
 int map_experience(MapCommand& command, const Experience& experience) {
-  if (!command.why_not.empty())
-    throw InputError("--why-not", "a trace of the basic SSH", "a trace with stars");
+  for (const auto& [option, is_given] : {std::pair("--why-not", !command.why_not.empty()),
+                                         std::pair("--svg", command.svg_folder.has_value())})
+    if (is_given) throw InputError(option, "a trace of the basic SSH", "a trace with stars");
   const AxiomSet axioms = read_axioms(command);
   Progress progress(experience.views.size(), command.options.time_limit_s);
   MapTree::Options options = tree_options(command, axioms);
