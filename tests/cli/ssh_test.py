@@ -55,7 +55,7 @@ class Maps(Folder):
         self.assertEqual(done.returncode, 0)
         self.assertEqual(done.stdout,
                          f"{file}: valid, maps of walk, basic SSH: {len(namings)} listed\n"
-                         f"{trace}: valid, trace walk, basic SSH: 9 views\n")
+                         f"{trace}: valid, trace walk, basic SSH: 8 views\n")
         text = run("map", trace, "--all", "--certify", "0").stdout
         self.assertIn("\nmap 19\n", text)
         self.assertTrue(text.endswith(f"\n({len(namings) - 20} more: see --json)\n"))
