@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <ranges>
 #include <set>
 #include <string>
 
@@ -17,19 +18,6 @@ namespace {
 
 using Kind = Action::Kind;
 using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
-
-std::vector<Fact> facts_of(const Experience& experience, const Naming& naming) {
-  const auto dstate = [&](std::size_t k) { return "q" + std::to_string(naming[k]); };
-  std::vector<Fact> facts{{"is_turn", {"turn_around"}}};
-  for (std::size_t k = 0; k < naming.size(); ++k) {
-    facts.push_back({"sees", {dstate(k), experience.views[k]}});
-    if (k == 0) continue;
-    const Action& action = experience.actions[k - 1];
-    facts.push_back({"leads", {dstate(k - 1), action.text(), dstate(k)}});
-    if (action.kind == Kind::turn) facts.push_back({"is_turn", {action.text()}});
-  }
-  return facts;
-}
 
 /// The least number of the dstates joined to each by these kinds of action.
 Naming classes(const Experience& experience, const Naming& naming, const std::set<Kind>& kinds) {
@@ -81,29 +69,51 @@ bool is_embedding(const Edges& edges, const std::vector<std::vector<std::size_t>
 
 }  // namespace
 
+std::vector<Fact> plain_facts(const Experience& experience, const Naming& naming) {
+  const auto dstate = [&](std::size_t k) { return "q" + std::to_string(naming[k]); };
+  std::vector<Fact> facts{{"is_turn", {"turn_around"}}};
+  for (std::size_t k = 0; k < naming.size(); ++k) {
+    facts.push_back({"sees", {dstate(k), experience.views[k]}});
+    if (k == 0) continue;
+    const Action& action = experience.actions[k - 1];
+    const bool is_turn = action.kind == Kind::turn;
+    const std::string name = is_turn ? "turn_" + action.turn : action.text();
+    facts.push_back({"leads", {dstate(k - 1), name, dstate(k)}});
+    if (is_turn) facts.push_back({"is_turn", {name}});
+  }
+  return facts;
+}
+
+std::vector<Naming> every_partition(std::size_t views) {
+  std::vector<Naming> result{{}};
+  for (std::size_t k = 0; k < views; ++k) {
+    std::vector<Naming> longer;
+    for (const Naming& naming : result) {
+      const std::size_t known =
+          naming.empty() ? 0 : *std::max_element(naming.begin(), naming.end()) + 1;
+      for (std::size_t dstate = 0; dstate <= known; ++dstate) {
+        longer.push_back(naming);
+        longer.back().push_back(dstate);
+      }
+    }
+    result = std::move(longer);
+  }
+  return result;
+}
+
 std::vector<Naming> every_ssh_map(const Experience& experience) {
   std::vector<Naming> result;
-  Naming naming;
-  const std::function<void()> extend = [&] {
-    if (naming.size() == experience.views.size()) {
-      const auto facts = facts_of(experience, naming);
-      if (ForwardChaining(facts).verdict() == Verdict::consistent) result.push_back(naming);
-      return;
-    }
-    const std::size_t count =
-        naming.empty() ? 0 : *std::max_element(naming.begin(), naming.end()) + 1;
-    for (std::size_t dstate = 0; dstate <= count; ++dstate) {
-      // Spares the chaining most of its work: where two views differ, it refutes them.
-      bool one_view = true;
-      for (std::size_t k = 0; k < naming.size(); ++k)
-        one_view &= naming[k] != dstate || experience.views[k] == experience.views[naming.size()];
-      if (!one_view) continue;
-      naming.push_back(dstate);
-      extend();
-      naming.pop_back();
-    }
-  };
-  extend();
+  for (const Naming& naming : every_partition(experience.views.size())) {
+    // Spares the chaining most of its work: where two views differ, it refutes them.
+    std::map<std::size_t, std::string> seen;
+    const bool one_view =
+        std::ranges::all_of(std::views::iota(std::size_t{0}, naming.size()), [&](std::size_t k) {
+          return seen.emplace(naming[k], experience.views[k]).first->second == experience.views[k];
+        });
+    if (one_view &&
+        ForwardChaining(plain_facts(experience, naming)).verdict() == Verdict::consistent)
+      result.push_back(naming);
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "axioms/grounder.hpp"
 #include "core/experience.hpp"
 
 namespace asterism {
@@ -12,6 +13,12 @@ namespace asterism {
 
 /// The dstate of each view, numbered by first view.
 using Naming = std::vector<std::size_t>;
+
+/// What was seen and done, if these were the dstates.
+std::vector<Fact> plain_facts(const Experience& experience, const Naming& naming);
+
+/// Every partition of so many views, sorted.
+std::vector<Naming> every_partition(std::size_t views);
 
 /// Every partition of the views whose facts plain forward chaining does not refute, sorted.
 std::vector<Naming> every_ssh_map(const Experience& experience);

@@ -8,6 +8,8 @@
 #include "core/random.hpp"
 #include "engine/ssh_engines.hpp"
 #include "planarity/boyer_myrvold.hpp"
+#include "tests/axioms/forward_chaining.hpp"
+#include "tests/axioms/plain_logic.hpp"
 #include "tests/engine/seeded_walk.hpp"
 #include "tests/engine/ssh_reference.hpp"
 #include "tests/support/catch.hpp"
@@ -129,6 +131,18 @@ TEST_CASE("the tree holds every partition that forward chaining does not refute"
     CHECK(minimal_of(tree) == minimal);
   }
   CHECK(maps > 4000);
+}
+
+TEST_CASE("forward chaining refutes what every instance of the axioms refutes",
+          "[engine][ssh][reference]") {
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    const Experience seen = seeded_experience(seed, 4);
+    INFO(to_keep(seed, seen));
+    for (const Naming& naming : every_partition(4)) {
+      const std::vector<Fact> facts = plain_facts(seen, naming);
+      CHECK(plain_verdict(shipped_with(), facts) == ForwardChaining(facts).verdict());
+    }
+  }
 }
 
 TEST_CASE("the solver, asked for every dstate, keeps what the native engine keeps",
