@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -17,12 +19,15 @@
 #include "engine/ssh_table.hpp"
 #include "engine/ssh_tree.hpp"
 #include "io/atomic_file.hpp"
+#include "io/ssh_map_svg.hpp"
 #include "io/ssh_maps_file.hpp"
+#include "planarity/straight_drawing.hpp"
 
 namespace asterism {
 namespace {
 
 constexpr std::size_t most_maps_in_text = 20;
+constexpr std::size_t most_drawings = 100;
 
 /// Grows the tree by the whole experience: view by view where something can stop it early, to end
 /// on a whole level.
@@ -97,12 +102,27 @@ void write_problems(const std::filesystem::path& folder, const Experience& exper
   remove_from(folder, "map-{}.smt2", number);
 }
 
+void write_drawings(const std::filesystem::path& folder, const SshReport& report,
+                    std::span<const SshMap> models) {
+  make_folder(folder);
+  const std::size_t drawings = std::min(models.size(), most_drawings);
+  for (std::size_t i = 0; i < drawings; ++i)
+    write_atomically(
+        (folder / fmt::format("model-{}.svg", i)).string(),
+        ssh_map_svg(models[i],
+                    draw_straight(models[i].number_of_places(), edges_of(models[i])).vertices,
+                    fmt::format("{}, {}minimal model {} (of {})", report.experience.name,
+                                report.options.planar ? "planar " : "", i, models.size())));
+  remove_from(folder, "model-{}.svg", drawings);
+  if (drawings < models.size())
+    fmt::print(stderr, "drew the first {} of {} minimal models\n", drawings, models.size());
+}
+
 }  // namespace
 
 int map_experience(MapCommand& command, const Experience& experience) {
-  for (const auto& [option, is_given] : {std::pair("--why-not", !command.why_not.empty()),
-                                         std::pair("--svg", command.svg_folder.has_value())})
-    if (is_given) throw InputError(option, "a trace of the basic SSH", "a trace with stars");
+  if (!command.why_not.empty())
+    throw InputError("--why-not", "a trace of the basic SSH", "a trace with stars");
   const AxiomSet axioms = read_axioms(command);
   Progress progress(experience.views.size(), command.options.time_limit_s);
   MapTree::Options options = tree_options(command, axioms);
@@ -111,7 +131,8 @@ int map_experience(MapCommand& command, const Experience& experience) {
   std::optional<std::string> stopped_by = grow(tree, experience.views.size(), command, progress);
   SshReport report = report_of(tree, experience, command, axioms, std::move(stopped_by), progress);
 
-  SshMapSource maps = [models = report.maps](const auto& write) {
+  const std::vector<SshMap> models = report.maps;
+  SshMapSource maps = [&](const auto& write) {
     for (const SshMap& map : models) write(map);
   };
   if (command.options.all && report.consistent) {
@@ -128,6 +149,7 @@ int map_experience(MapCommand& command, const Experience& experience) {
       write_atomically(*command.json, [&](std::ostream& out) { write_maps(out, report, maps); });
     fmt::print("{}", report_text(report, most_maps_in_text));
   }
+  if (command.svg_folder) write_drawings(*command.svg_folder, report, models);
   if (command.smt2_folder) write_problems(*command.smt2_folder, experience, maps, axioms);
   if (!report.complete) return exit_undecided;
   return report.consistent.value_or(0) > 0 ? exit_consistent : exit_inconsistent;

@@ -207,11 +207,13 @@ std::vector<std::size_t> extents_of(const SshMap& map, std::span<const std::stri
   return result;
 }
 
-bool is_planar(const SshMap& map) {
+std::vector<std::pair<std::size_t, std::size_t>> edges_of(const SshMap& map) {
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   for (const auto& [from, to] : map.segments)
     edges.emplace_back(map.places[from.index()].index(), map.places[to.index()].index());
-  return is_planar_graph(map.number_of_places(), edges);
+  return edges;
 }
+
+bool is_planar(const SshMap& map) { return is_planar_graph(map.number_of_places(), edges_of(map)); }
 
 }  // namespace asterism

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/ssh_map.hpp"
@@ -56,6 +57,9 @@ class SshTree {
 
 /// Sizes of these extents: "path", "place", "segment".
 std::vector<std::size_t> extents_of(const SshMap& map, std::span<const std::string> preference);
+
+/// The places that each segment joins.
+std::vector<std::pair<std::size_t, std::size_t>> edges_of(const SshMap& map);
 
 /// Whether its places and segments can be drawn in the plane.
 bool is_planar(const SshMap& map);
