@@ -1,6 +1,8 @@
 #include "engine/ssh_certify.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -48,6 +50,7 @@ class PreferredMap {
         planar_(planar),
         best_(std::move(best)),
         deadline_(deadline),
+        pair_solver_(axioms, milliseconds_until(deadline)),
         solver_(context_, z3::solver::simple()),
         grounder_(axioms),
         vocabulary_(context_, grounder_) {
@@ -57,7 +60,7 @@ class PreferredMap {
     solver_.add(is_preferred());
     for (const Fact& fact : table_.general_facts()) ground(fact, context_.bool_val(true));
     for (std::size_t k = 0; k < table_.views() && !out_of_time(); ++k)
-      for (std::size_t j = 0; j <= k; ++j) ground(table_.sees(j, k), at(k, j));
+      for (const std::size_t j : choices_[k]) ground(table_.sees(j, k), at(k, j));
   }
 
   /// inconsistent: there is none.
@@ -86,10 +89,26 @@ class PreferredMap {
     return context_.bool_const(("at_" + std::to_string(k) + "_" + std::to_string(j)).c_str());
   }
 
+  /// Whether the axioms let views k and j be seen at one dstate, all else apart.
+  bool may_be_one(std::size_t k, std::size_t j) {
+    const auto views = std::pair(table_.view(j), table_.view(k));
+    const auto [entry, is_first] = may_be_one_.try_emplace(views, true);
+    if (is_first) {
+      pair_solver_.push();
+      pair_solver_.add(std::vector{table_.sees(j, j), table_.sees(j, k)});
+      entry->second = pair_solver_.check() != Verdict::inconsistent;
+      pair_solver_.pop();
+    }
+    return entry->second;
+  }
+
   void assert_choices() {
+    choices_.resize(table_.views());
     for (std::size_t k = 0; k < table_.views() && !out_of_time(); ++k) {
       z3::expr_vector one(context_);
       for (std::size_t j = 0; j <= k; ++j) {
+        if (!may_be_one(k, j)) continue;
+        choices_[k].push_back(j);
         one.push_back(at(k, j));
         solver_.add(z3::implies(at(k, j), at(j, j)));
       }
@@ -115,18 +134,17 @@ class PreferredMap {
     for (std::size_t i = 0; i < views; ++i) joined[i][i] = context_.bool_val(true);
     for (std::size_t k = 1; k < views && !out_of_time(); ++k) {
       if (!joins(extent, table_.action(k - 1))) continue;
-      std::vector<z3::expr> with_before;  // in one class with the dstate of view k - 1
-      std::vector<z3::expr> with_after;   // with that of view k
-      z3::expr_vector known(context_);    // that these two are in one
-      for (std::size_t i = 0; i <= k; ++i) {
-        with_before.push_back(is_with(joined[i], k - 1));
-        with_after.push_back(is_with(joined[i], k));
-        if (i < k) known.push_back(at(k - 1, i) && with_after[i]);
-      }
-      for (std::size_t i = 0; i <= k; ++i)
-        for (std::size_t j = 0; j < i; ++j)
-          joined[i][j] = joined[j][i] = joined[i][j] || (with_before[i] && with_after[j]) ||
-                                        (with_after[i] && with_before[j]);
+      const Members before = members(joined, k - 1, k);
+      const Members after = members(joined, k, k);
+      z3::expr_vector known(context_);  // in one class already
+      for (const auto& [i, is_with_after] : after)
+        if (std::ranges::binary_search(choices_[k - 1], i))
+          known.push_back(at(k - 1, i) && is_with_after);
+      for (const auto& [i, is_with_before] : before)
+        for (const auto& [j, is_with_after] : after)
+          if (i != j)
+            joined[i][j] = joined[j][i] =
+                (joined[i][j] || (is_with_before && is_with_after)).simplify();
       // Classes = dstates − steps that join two, and −join = ¬join − 1.
       terms.push_back(z3::mk_or(known));
       ++bound;
@@ -135,11 +153,20 @@ class PreferredMap {
     return z3::pble(terms, weights.data(), static_cast<int>(bound));
   }
 
-  /// Whether the dstate of view k is one of these.
-  z3::expr is_with(const std::vector<z3::expr>& dstates, std::size_t k) {
-    z3::expr_vector ways(context_);
-    for (std::size_t j = 0; j <= k; ++j) ways.push_back(at(k, j) && dstates[j]);
-    return z3::mk_or(ways).simplify();
+  /// Dstates first experienced at these views, each with what says that it is in a class.
+  using Members = std::vector<std::pair<std::size_t, z3::expr>>;
+
+  /// Those up to `last` that may be in one class with the dstate of view k.
+  Members members(const std::vector<std::vector<z3::expr>>& joined, std::size_t k,
+                  std::size_t last) {
+    Members result;
+    for (std::size_t i = 0; i <= last; ++i) {
+      z3::expr_vector ways(context_);
+      for (const std::size_t j : choices_[k])
+        if (!joined[i][j].is_false()) ways.push_back(at(k, j) && joined[i][j]);
+      if (!ways.empty()) result.emplace_back(i, z3::mk_or(ways).simplify());
+    }
+    return result;
   }
 
   z3::expr is_preferred() {
@@ -161,7 +188,7 @@ class PreferredMap {
     const z3::model model = solver_.get_model();
     std::vector<std::size_t> firsts;
     for (std::size_t k = 0; k < table_.views(); ++k)
-      for (std::size_t j = 0; j <= k; ++j)
+      for (const std::size_t j : choices_[k])
         if (model.eval(at(k, j), true).is_true()) firsts.push_back(j);
     if (firsts.size() != table_.views())
       throw SolverError("z3: not one dstate a view in a solution");
@@ -222,10 +249,13 @@ class PreferredMap {
   std::vector<std::size_t> best_;
   Clock::time_point deadline_;
 
+  AxiomSolver pair_solver_;  ///< of two views alone
   z3::context context_;
   z3::solver solver_;
   Grounder grounder_;
   Z3Vocabulary vocabulary_;
+  std::vector<std::vector<std::size_t>> choices_;  ///< for each view, first views of dstates
+  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> may_be_one_;  ///< by view
   std::set<unsigned> asserted_;  ///< ids of formulas, valid while ...
   std::vector<z3::expr> kept_;   ///< ... they are kept
 };

@@ -1,8 +1,11 @@
 #include "engine/ssh_certify.hpp"
 
+#include <algorithm>
+
 #include "engine/ssh_tree.hpp"
 #include "tests/engine/seeded_walk.hpp"
 #include "tests/engine/ssh_reference.hpp"
+#include "tests/support/axiom_files.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace asterism;
@@ -42,6 +45,27 @@ TEST_CASE("the solver certifies the minimal models, and refutes all other maps",
     });
   }
   CHECK(refuted > 50);
+}
+
+TEST_CASE("segments can be preferred to be few, too", "[engine][ssh][solver][property]") {
+  auto files = shipped_files();
+  std::string& preference = files.at("preference.smt2");
+  preference.replace(preference.find("(path place)"), 12, "(segment place)");
+  const AxiomSet axioms = AxiomSet::parse(files);
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    const Experience seen = seeded_experience(seed, 5);
+    INFO("seed " << seed);
+    SshTree tree(seen, {.axioms = axioms});
+    REQUIRE(tree.grow(seen.views.size()) == MapTree::Growth::complete);
+    const std::vector<SshMap> minimal = tree.minimal();
+    CHECK(certify(seen, axioms, false, minimal, enough_s) == Certificate::shown);
+    tree.for_each([&](const SshMap& map) {
+      const std::pair size{map.segments.size(), map.number_of_places()};
+      const std::pair least{minimal.front().segments.size(), minimal.front().number_of_places()};
+      CHECK(size >= least);
+      CHECK((size == least) == (std::ranges::find(minimal, map) != minimal.end()));
+    });
+  }
 }
 
 TEST_CASE("a map that breaks an axiom is refuted, and no time shows nothing",
