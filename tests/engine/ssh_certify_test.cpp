@@ -47,6 +47,20 @@ TEST_CASE("the solver certifies the minimal models, and refutes all other maps",
   CHECK(refuted > 50);
 }
 
+TEST_CASE("planar minimal models are certified, though smaller maps are not planar",
+          "[engine][ssh][solver][planarity]") {
+  // Three places, each joined to each of three others: one map of six places, not planar.
+  const Experience seen = tour({0, 3, 1, 4, 2, 5, 0, 4, 1, 5, 2, 3});
+  const SshTree all = tree_of(seen, false);
+  const SshTree planar = tree_of(seen, true);
+  REQUIRE(all.minimal().size() == 1);
+  REQUIRE(planar.minimal().size() > 1);
+  CHECK(certify(seen, shipped_with(), false, all.minimal(), enough_s) == Certificate::shown);
+  CHECK(certify(seen, shipped_with(), true, planar.minimal(), enough_s) == Certificate::shown);
+  CHECK(certify(seen, shipped_with(), true, all.minimal(), enough_s) == Certificate::refuted);
+  CHECK(certify(seen, shipped_with(), false, planar.minimal(), enough_s) == Certificate::refuted);
+}
+
 TEST_CASE("segments can be preferred to be few, too", "[engine][ssh][solver][property]") {
   auto files = shipped_files();
   std::string& preference = files.at("preference.smt2");

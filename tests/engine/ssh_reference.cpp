@@ -6,6 +6,7 @@
 #include <numeric>
 #include <ranges>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "core/random.hpp"
@@ -149,6 +150,41 @@ bool has_plane_embedding(const Experience& experience, const Naming& naming) {
     if (experience.actions[k - 1].kind == Kind::travel)
       joined.insert(std::minmax(places[naming[k - 1]], places[naming[k]]));
   return has_plane_embedding(naming.size(), {joined.begin(), joined.end()});
+}
+
+Experience experience(const std::string& text) {
+  Experience result{.name = "t", .views = {}, .actions = {}};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (result.views.size() == result.actions.size())
+      result.views.push_back(word);
+    else
+      result.actions.push_back(Action::parse(word));
+  }
+  return result;
+}
+
+Experience tour(const std::vector<std::size_t>& places) {
+  Experience result{.name = "tour", .views = {}, .actions = {}};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::string step = std::to_string(i);
+    result.views.push_back("place" + std::to_string(places[i]));
+    if (i + 1 == places.size()) break;
+    result.actions.push_back({Action::Kind::turn, "off" + step});
+    result.views.push_back("off" + step);
+    result.actions.push_back({Action::Kind::travel});
+    result.views.push_back("arrived" + step);
+    result.actions.push_back({Action::Kind::turn, "in" + step});
+  }
+  return result;
+}
+
+Naming of_few_dstates(const Experience& seen) {
+  std::map<std::string, std::size_t> known;
+  Naming result;
+  for (const std::string& view : seen.views)
+    result.push_back(known.emplace(view, known.size()).first->second);
+  return result;
 }
 
 Experience seeded_experience(unsigned seed, std::size_t views) {

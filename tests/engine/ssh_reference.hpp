@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,16 @@ bool has_plane_embedding(std::size_t vertices,
                          const std::vector<std::pair<std::size_t, std::size_t>>& edges);
 /// The same for places and travels of a map.
 bool has_plane_embedding(const Experience& experience, const Naming& naming);
+
+/// "v0 travel v1 turn:right v0".
+Experience experience(const std::string& text);
+
+/// A tour of places that are told by what is seen in their middle, and nothing else by anything:
+/// "place, travel to the next, turn to the middle" again and again.
+Experience tour(const std::vector<std::size_t>& places);
+
+/// The dstates of views if those that look alike are one.
+Naming of_few_dstates(const Experience& experience);
 
 /// Of random symbols, or of a walk through a random world, some views of which are alike.
 Experience seeded_experience(unsigned seed, std::size_t views);

@@ -1,3 +1,4 @@
+#include "engine/ssh_engines.hpp"
 #include "tests/axioms/forward_chaining.hpp"
 #include "tests/axioms/plain_logic.hpp"
 #include "tests/engine/seeded_walk.hpp"
@@ -35,5 +36,28 @@ TEST_CASE("the solver, asked for every dstate, keeps what the native engine keep
     CHECK(counts_of(solver) == counts_of(native));
     CHECK(minimal_of(solver) == minimal_of(native));
     CHECK(maps_of(tree_of(seen, options(planar, Check::both, optional))) == maps_of(native));
+  }
+}
+
+TEST_CASE("a difference stops the run with the shortest experience that shows it",
+          "[engine][ssh][solver]") {
+  // The native engine is told of an axiom that the solver is not told of.
+  const SshTable table(
+      experience("a travel b turn:left c travel d turn:left a turn:left e travel f turn:left b "
+                 "travel g"));
+  SshBoth engine(SshNative(table, {.one_segment = true}), SshSolver(table, shipped_with(), 10'000),
+                 table);
+  engine.reset();
+  for (const SshTable::DState dstate : {0U, 1U, 2U, 3U, 0U, 4U, 5U})
+    REQUIRE(engine.try_enter(dstate));
+  try {
+    engine.try_enter(1);
+    FAIL("no difference");
+  } catch (const SshDifferenceError& error) {
+    CHECK(error.what() ==
+          std::string("native and solver differ: view 7 at dstate 1 is inconsistent to the native "
+                      "engine and consistent to the solver"));
+    CHECK(error.shortest_experience.views.size() == 8);
+    CHECK(error.shortest_experience.actions.size() == 7);
   }
 }

@@ -1,9 +1,7 @@
 #include "engine/ssh_tree.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
-#include <sstream>
 
 #include "core/random.hpp"
 #include "planarity/boyer_myrvold.hpp"
@@ -17,19 +15,6 @@ using namespace asterism;
 namespace {
 
 using Growth = MapTree::Growth;
-
-/// "v0 travel v1 turn:right v0", told as in a file.
-Experience experience(const std::string& text) {
-  Experience result{.name = "t", .views = {}, .actions = {}};
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (result.views.size() == result.actions.size())
-      result.views.push_back(word);
-    else
-      result.actions.push_back(Action::parse(word));
-  }
-  return result;
-}
 
 }  // namespace
 
@@ -93,32 +78,6 @@ TEST_CASE("the tree holds every partition that forward chaining does not refute"
 
 namespace {
 
-/// A tour of places that are told by what is seen in their middle, and nothing else by anything:
-/// "place, travel to the next, turn to the middle" again and again.
-Experience tour(const std::vector<std::size_t>& places) {
-  Experience result{.name = "tour", .views = {}, .actions = {}};
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::string step = std::to_string(i);
-    result.views.push_back("place" + std::to_string(places[i]));
-    if (i + 1 == places.size()) break;
-    result.actions.push_back({Action::Kind::turn, "off" + step});
-    result.views.push_back("off" + step);
-    result.actions.push_back({Action::Kind::travel});
-    result.views.push_back("arrived" + step);
-    result.actions.push_back({Action::Kind::turn, "in" + step});
-  }
-  return result;
-}
-
-/// The dstates of the tour if each place is one.
-Naming of_few_places(const Experience& seen) {
-  std::map<std::string, std::size_t> known;
-  Naming result;
-  for (const std::string& view : seen.views)
-    result.push_back(known.emplace(view, known.size()).first->second);
-  return result;
-}
-
 bool is_among(const Naming& naming, const std::vector<Naming>& maps) {
   return std::ranges::find(maps, naming) != maps.end();
 }
@@ -136,8 +95,8 @@ TEST_CASE("planar maps are those that some embedding has", "[engine][ssh][planar
     if (has_plane_embedding(seen, naming)) drawn.push_back(naming);
   CHECK(maps_of(planar) == drawn);
   CHECK(planar.size() == drawn.size());
-  CHECK(is_among(of_few_places(seen), maps_of(all)));
-  CHECK_FALSE(is_among(of_few_places(seen), drawn));
+  CHECK(is_among(of_few_dstates(seen), maps_of(all)));
+  CHECK_FALSE(is_among(of_few_dstates(seen), drawn));
 }
 
 TEST_CASE("planar maps of random tours are those that some embedding has",
@@ -165,13 +124,13 @@ TEST_CASE("a turn that shows two places to be one can make a map planar again",
   Experience seen = tour({0, 3, 1, 4, 2, 5, 0, 4, 1, 5, 2, 3, 0});
   SshTree tree(seen, options(true));
   REQUIRE(tree.grow(seen.views.size()) == Growth::complete);
-  CHECK_FALSE(is_among(of_few_places(seen), maps_of(tree)));
+  CHECK_FALSE(is_among(of_few_dstates(seen), maps_of(tree)));
   seen.actions.push_back({Action::Kind::turn, "over"});
   seen.views.emplace_back("place1");
   SshTree over(seen, options(true));
   REQUIRE(over.grow(seen.views.size() - 1) == Growth::complete);
   REQUIRE(over.grow(1) == Growth::complete);
-  CHECK(is_among(of_few_places(seen), maps_of(over)));
+  CHECK(is_among(of_few_dstates(seen), maps_of(over)));
   CHECK(maps_of(over) == maps_of(tree_of(seen, options(true))));
 }
 
