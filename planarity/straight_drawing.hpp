@@ -16,7 +16,7 @@ struct StraightDrawing {
 
 /// Where to put the vertices of a graph whose edges have no order round them, for straight edges:
 /// in a circle if none cross then; else where Chrobak and Payne put them, if the graph is planar;
-/// else in a circle all the same. Units as in MapDrawing.                           [BM04]
+/// else in a circle all the same. Units as in MapDrawing.                    [BM04] [CP95]
 ///
 /// @pre the graph is connected, and no edge joins a vertex to itself
 StraightDrawing draw_straight(std::size_t vertices,
