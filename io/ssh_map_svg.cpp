@@ -80,14 +80,25 @@ class Picture {
   }
 
   void draw_segment(Point from, Point to, double aside, std::size_t path) {
-    const double length = std::max(1.0, std::hypot(to.x - from.x, to.y - from.y));
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    if (length < 1) {  // a loop above the place, each larger than the one before
+      const double reach = 3 * disc + std::abs(aside);
+      add_curve(fmt::format("M{0:.1f} {1:.1f}C{2:.1f} {3:.1f} {4:.1f} {3:.1f} {0:.1f} {1:.1f}",
+                            from.x, from.y, from.x - reach, from.y - reach, from.x + reach),
+                path);
+      return;
+    }
     // A curve passes half as far aside as the point that bends it.
     const Point bend{(from.x + to.x) / 2 - 2 * aside * (to.y - from.y) / length,
                      (from.y + to.y) / 2 + 2 * aside * (to.x - from.x) / length};
-    body_ += fmt::format(
-        "<path d=\"M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}\" fill=\"none\" stroke=\"{}\" "
-        "stroke-width=\"5\"/>\n",
-        from.x, from.y, bend.x, bend.y, to.x, to.y, path_colour(path));
+    add_curve(fmt::format("M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}", from.x, from.y, bend.x,
+                          bend.y, to.x, to.y),
+              path);
+  }
+
+  void add_curve(const std::string& curve, std::size_t path) {
+    body_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"5\"/>\n", curve,
+                         path_colour(path));
   }
 
   void draw_place(std::size_t place) {

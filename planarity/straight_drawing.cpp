@@ -103,7 +103,8 @@ std::optional<Points> on_grid(std::size_t vertices, const Edges& edges) {
 StraightDrawing draw_straight(std::size_t vertices,
                               std::span<const std::pair<std::size_t, std::size_t>> edges) {
   Edges simple;
-  for (const auto& [a, b] : edges) simple.insert(std::minmax(a, b));
+  for (const auto& [a, b] : edges)
+    if (a != b) simple.insert(std::minmax(a, b));
   if (!cross_on_circle(simple)) return {on_circle(vertices), true};
   if (auto points = on_grid(vertices, simple)) return {std::move(*points), true};
   return {on_circle(vertices), false};

@@ -18,7 +18,9 @@ struct StraightDrawing {
 /// in a circle if none cross then; else where Chrobak and Payne put them, if the graph is planar;
 /// else in a circle all the same. Units as in MapDrawing.                    [BM04] [CP95]
 ///
-/// @pre the graph is connected, and no edge joins a vertex to itself
+/// An edge from a vertex to itself is taken to have room enough.
+///
+/// @pre the graph is connected
 StraightDrawing draw_straight(std::size_t vertices,
                               std::span<const std::pair<std::size_t, std::size_t>> edges);
 

@@ -81,6 +81,12 @@ class Maps(Folder):
         _, found = maps_of(trace, "--axioms", folder, "--check", "solver", "--all")
         self.assertEqual([m["dstates"] for m in found["maps"]], [[0, 0], [0, 1]])
         self.assertEqual(found["minimal"], {"paths": 1, "places": 1, "count": 1, "certified": True})
+        # A travel that leads to where it began is drawn as a loop.
+        drawn = self.folder / "drawn"
+        run("map", trace, "--axioms", folder, "--check", "solver", "--svg", drawn)
+        curves = [path.get("d") for path in xml.parse(drawn / "model-0.svg").iter()
+                  if path.tag.endswith("path")]
+        self.assertRegex(curves[0], r"^M36\.0 [0-9.]+C.* 36\.0 [0-9.]+$")
 
     def test_views_that_cannot_be_told_from_a_terminal_s_orders_are_shown_safely(self):
         trace = self.file("t.trace.json", json.dumps(

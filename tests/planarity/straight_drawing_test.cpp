@@ -81,4 +81,5 @@ TEST_CASE("a ring is drawn as one", "[planarity]") {
   for (const Point& vertex : drawing.vertices)
     CHECK(std::hypot(vertex.x, vertex.y) == Approx(std::sqrt(0.5)));
   CHECK(draw_straight(1, Edges{}).vertices.size() == 1);
+  CHECK(draw_straight(1, Edges{{0, 0}}).without_crossings);
 }
