@@ -106,7 +106,8 @@ void AxiomReader::declare(const SExpr& form) {
 
 void AxiomReader::declare_function(const SExpr& name, const SExpr& arguments, const SExpr& result) {
   require_name(name);
-  if (is_name_of_fact(name.symbol)) fail(name, "a name not like those of dstates and views");
+  if (is_name_of_fact(name.symbol))
+    fail(name, "a name not like those of dstates, views and actions");
   AxiomSet::Function function;
   for (const SExpr& argument : arguments.list) {
     require_sort(argument);

@@ -59,7 +59,7 @@ bool is_name_of_fact(const std::string& name) {
   };
   const std::size_t end = digits_end(1);
   if (end == 1) return false;
-  if (name.front() == 'v') return end == name.size();
+  if (name.front() == 'v' || name.front() == 'a') return end == name.size();
   return name.front() == 'd' && end < name.size() && name[end] == '_' &&
          digits_end(end + 1) > end + 1 && digits_end(end + 1) == name.size();
 }

@@ -12,7 +12,7 @@ namespace asterism {
 /// @return what was expected instead; nothing if the name will do
 std::optional<std::string> fault_of_name(const std::string& name);
 
-/// Whether constants of facts are called so: d3_1 is a dstate, v2 a view.
+/// Whether constants of facts are called so: d3_1 is a dstate, v2 a view, a4 an action.
 bool is_name_of_fact(const std::string& name);
 
 /// A set must declare what facts are told in, whatever it says about it: leads, sees, is_turn,

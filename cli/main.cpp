@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "engine/map_tree.hpp"
 #include "engine/query_reader.hpp"
+#include "engine/ssh_engines.hpp"
 #include "io/trace_file.hpp"
 
 namespace {
@@ -344,6 +345,10 @@ int main(int argc, char** argv) {
   } catch (const DifferenceError& error) {
     const int code = fail(exit_internal, error.what());
     std::fputs(trace_json(error.shortest_trace).c_str(), stderr);
+    return code;
+  } catch (const SshDifferenceError& error) {
+    const int code = fail(exit_internal, error.what());
+    std::fputs(trace_json(error.shortest_experience).c_str(), stderr);
     return code;
   } catch (const std::exception& error) {
     return fail(exit_internal, error.what());

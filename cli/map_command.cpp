@@ -12,6 +12,7 @@
 #include "cli/map_parts.hpp"
 #include "cli/map_text.hpp"
 #include "cli/progress.hpp"
+#include "cli/ssh_map.hpp"
 #include "engine/map_tree.hpp"
 #include "io/atomic_file.hpp"
 #include "io/chart_svg.hpp"
@@ -93,7 +94,10 @@ void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Tra
 int map_command(const MapCommand& given) {
   MapCommand command = given;
   const auto stated = read_assumptions(command.assume);
-  const Trace trace = read_trace_file(command.trace == "-" ? "/dev/stdin" : command.trace);
+  const AnyTrace any = read_any_trace_file(command.trace == "-" ? "/dev/stdin" : command.trace);
+  if (const auto* experience = std::get_if<Experience>(&any))
+    return map_experience(command, *experience);
+  const Trace& trace = std::get<Trace>(any);
   command.options.assumptions = assumptions_of(stated, trace);
   const AxiomSet axioms = read_axioms(command);
   command.visits = trace.visits.size();

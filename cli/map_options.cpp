@@ -55,6 +55,8 @@ void add_map(CLI::App& app, MapCommand& command, std::function<int()>& chosen) {
   asterism map drive.trace.json --all --json - | jq .consistent
   asterism map drive.trace.json --why-not 0,1,2,0
   asterism map drive.trace.json --assume 'same(0,8)' --assume 'differ(2,5)'
+  asterism map examples/05_square.trace.json
+The last is a trace of the basic SSH, views and actions in turn: see docs/ssh.md.
 Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a limit or Ctrl-C,
 64 usage, 65 bad input, 70 internal fault or a result that cannot be written.)");
   MapOptions& options = command.options;

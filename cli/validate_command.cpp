@@ -11,11 +11,11 @@
 #include "cli/suite.hpp"
 #include "core/error.hpp"
 #include "io/carmen_log.hpp"
-#include "io/maps_file.hpp"
 #include "io/occupancy_map.hpp"
 #include "io/pgm_image.hpp"
 #include "io/pose_graph_file.hpp"
 #include "io/relations_file.hpp"
+#include "io/ssh_maps_file.hpp"
 #include "io/trace_file.hpp"
 #include "io/trajectory_file.hpp"
 
@@ -77,9 +77,25 @@ std::string maps_text(const MapReport& report) {
                      ranked);
 }
 
+std::string maps_text(const SshReport& report) {
+  return fmt::format("maps of {}, basic SSH: {} listed", printable(report.experience.name),
+                     report.maps.size());
+}
+
+std::string trace_text(const Trace& trace) {
+  return fmt::format("trace {}: {} visits", printable(trace.name), trace.visits.size());
+}
+
+std::string trace_text(const Experience& experience) {
+  return fmt::format("trace {}, basic SSH: {} views", printable(experience.name),
+                     experience.views.size());
+}
+
 /// Reads a file of whatever kind its name says; tells what it is.
 std::string validated(const std::string& file) {
-  if (file.ends_with("maps.json")) return maps_text(read_maps_file(file));
+  if (file.ends_with("maps.json"))
+    return std::visit([](const auto& report) { return maps_text(report); },
+                      read_any_maps_file(file));
   if (file.ends_with("expect.json")) {
     const Expectation expectation = read_expected_answers(file);
     return fmt::format("what to expect: {}", size_text(expectation));
@@ -97,8 +113,7 @@ std::string validated(const std::string& file) {
     const AxiomSet axioms = AxiomSet::read(file);
     return fmt::format("a folder of {} axioms", axioms.axioms().size());
   }
-  const Trace trace = read_trace_file(file);
-  return fmt::format("trace {}: {} visits", printable(trace.name), trace.visits.size());
+  return std::visit([](const auto& trace) { return trace_text(trace); }, read_any_trace_file(file));
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <variant>
 
+#include "core/experience.hpp"
 #include "core/trace.hpp"
 
 namespace asterism {
@@ -19,16 +21,30 @@ inline constexpr std::size_t max_trace_bytes = std::size_t{64} << 20;
 ///
 /// @param file_name  for messages
 /// @throws InputError "file:/json/pointer: found ...; expected ..."; for what is not JSON
-///         "file:line:column: ..."
+///         "file:line:column: ..."; for a trace of the basic SSH, which has no stars
 Trace read_trace(std::string_view json_text, const std::string& file_name);
 
 /// @throws InputError as above, and if the file cannot be read or exceeds max_trace_bytes
 Trace read_trace_file(const std::string& file);
 
+/// A trace of either kind: visits, or views and actions of the basic SSH.
+using AnyTrace = std::variant<Trace, Experience>;
+
+/// Reads a trace file of either kind. In an experience, views are not empty and not called like
+/// actions, so that a view or an action left out is found.
+/// @throws InputError as above
+AnyTrace read_any_trace(std::string_view json_text, const std::string& file_name);
+
+/// @throws InputError as above, and if the file cannot be read or exceeds max_trace_bytes
+AnyTrace read_any_trace_file(const std::string& file);
+
 /// The trace as a file's content, one visit to a line or, where it was measured, a few. Reads back
 /// as the same trace.
 /// @throws std::invalid_argument if the trace could not be read back
 std::string trace_json(const Trace& trace);
+
+/// The same of an experience, a view and an action to a line.
+std::string trace_json(const Experience& experience);
 
 /// Whole or not at all.
 /// @throws std::invalid_argument as above, Error if the file cannot be written

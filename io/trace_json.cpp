@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include "core/error.hpp"
+#include "io/experience_json.hpp"
 #include "io/json_value.hpp"
 #include "io/pose_json.hpp"
 #include "io/trace_file.hpp"
@@ -81,17 +82,30 @@ std::string unchecked_json(const Trace& trace) {
   return "{ " + joined(lines, ",\n  ") + " }\n";
 }
 
-}  // namespace
+std::string unchecked_json(const Experience& experience) {
+  std::vector<std::string> lines{
+      "\"format\": \"asterism/trace\", \"version\": 1, \"kind\": \"ssh\", \"name\": " +
+      json_quoted(experience.name)};
+  append_members(experience.extensions, lines);
+  lines.push_back("\"experience\": " + steps_json(experience));
+  return "{ " + joined(lines, ",\n  ") + " }\n";
+}
 
-std::string trace_json(const Trace& trace) {
+template <class AnyKind>
+std::string checked_json(const AnyKind& trace) {
   require_valid(trace);
   try {
     std::string text = unchecked_json(trace);
-    read_trace(text, "trace");  // the reader is the judge of what may be written
+    read_any_trace(text, "trace");  // the reader is the judge of what may be written
     return text;
   } catch (const InputError& error) {
     throw std::invalid_argument(error.what());
   }
 }
+
+}  // namespace
+
+std::string trace_json(const Trace& trace) { return checked_json(trace); }
+std::string trace_json(const Experience& experience) { return checked_json(experience); }
 
 }  // namespace asterism

@@ -4,10 +4,12 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "io/ssh_maps_file.hpp"
 #include "io/trace_file.hpp"
 #include "tests/io/corpus.hpp"
 #include "tests/io/same.hpp"
@@ -16,7 +18,8 @@
 namespace asterism {
 namespace {
 
-std::string text_of(const MapReport& report) {
+template <class Report>
+std::string text_of(const Report& report) {
   std::ostringstream out;
   write_maps(out, report);
   return out.str();
@@ -122,13 +125,65 @@ TEST_CASE("a maps file is written key by key, one line a part of a map", "[io]")
         content(std::string(ASTERISM_SOURCE_DIR) + "/tests/corpus/maps/good/corner.maps.json"));
 }
 
+TEST_CASE("maps of the basic SSH are written as they are known", "[io][ssh]") {
+  const std::string tests = std::string(ASTERISM_SOURCE_DIR) + "/tests/corpus";
+  SshReport report{.experience = std::get<Experience>(read_any_trace_file(
+                       std::string(ASTERISM_SOURCE_DIR) + "/examples/05_square.trace.json"))};
+  report.options.certify_s = 0;
+  report.consistent = 2;
+  report.per_view = {1, 1, 1, 1, 1, 2, 3, 5, 2};
+  report.minimal = {4, 4, 1, false};
+  std::vector<DStateId> dstates;
+  for (const std::size_t dstate : {0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 0U})
+    dstates.emplace_back(dstate);
+  report.maps = {make_ssh_map(report.experience, dstates)};
+  CHECK(text_of(report) == content(tests + "/maps/good/ssh_square.maps.json"));
+}
+
+TEST_CASE("random maps of the basic SSH are read as they were written", "[io][ssh][property]") {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    RandomEngine random(seed);
+    SshReport report{.experience = {.name = "t", .views = {}, .actions = {}}};
+    report.options.all = true;
+    report.options.preference.clear();
+    std::set<std::vector<DStateId>> namings;
+    const std::size_t views = 1 + below(8, random);
+    for (std::size_t k = 0; k < views; ++k) {
+      report.experience.views.push_back("v" + std::to_string(below(3, random)));
+      const auto kind = static_cast<Action::Kind>(below(3, random));
+      if (k > 0)
+        report.experience.actions.push_back({kind, kind == Action::Kind::turn ? "left" : ""});
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::vector<DStateId> dstates;
+      std::size_t known = 0;
+      for (std::size_t k = 0; k < views; ++k) {
+        dstates.emplace_back(below(known + 1, random));
+        if (dstates.back().index() == known) ++known;
+      }
+      namings.insert(dstates);
+    }
+    for (const auto& dstates : namings)
+      report.maps.push_back(make_ssh_map(report.experience, dstates));
+    report.consistent = report.maps.size();
+    report.per_view.emplace(views, report.maps.size());
+    report.minimal = {1, 1, report.maps.size(), false};
+    INFO(seed);
+    CHECK(same(read_any_maps(text_of(report), "again"), report));
+  }
+}
+
 TEST_CASE("every good maps file is read and written without loss", "[io]") {
   for (const auto& file : good_files("maps")) {
     INFO(file);
-    const MapReport report = read_maps_file(file);
-    const std::string text = text_of(report);
-    CHECK(same(read_maps(text, "again"), report));
-    CHECK(text_of(read_maps(text, "again")) == text);
+    std::visit(
+        [](const auto& report) {
+          const std::string text = text_of(report);
+          const AnyReport again = read_any_maps(text, "again");
+          CHECK(same(again, report));
+          CHECK(std::visit([](const auto& back) { return text_of(back); }, again) == text);
+        },
+        read_any_maps_file(file));
   }
 }
 
@@ -137,8 +192,8 @@ TEST_CASE("every bad maps file is refused, and the message says where and why", 
   CHECK(files.size() >= 20);
   for (const auto& [file, message] : files) {
     INFO(file);
-    CHECK_THROWS_AS(read_maps(content(file), "file"), InputError);
-    CHECK_THROWS_WITH(read_maps_file(file), file.string() + message);
+    CHECK_THROWS_AS(read_any_maps(content(file), "file"), InputError);
+    CHECK_THROWS_WITH(read_any_maps_file(file), file.string() + message);
   }
 }
 

@@ -85,4 +85,11 @@ bool same(const MapReport& a, const MapReport& b) {
          all_equal(a.maps, b.maps) && all_equal(a.ranked, b.ranked);
 }
 
+bool same(const SshReport& a, const SshReport& b) {
+  const auto plain = [](const SshReport& r) {
+    return std::tie(r.experience, r.consistent, r.per_view, r.complete, r.stopped_by, r.maps);
+  };
+  return plain(a) == plain(b) && equal(a.options, b.options) && equal(a.minimal, b.minimal);
+}
+
 }  // namespace asterism

@@ -13,7 +13,7 @@ namespace {
 
 std::string message_of(const std::string& text) {
   try {
-    read_trace(text, "file");
+    read_any_trace(text, "file");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -98,10 +98,14 @@ Visit random_visit(std::mt19937_64& random) {
 TEST_CASE("every good trace is read and written without loss", "[io]") {
   for (const auto& file : good_files("trace")) {
     INFO(file);
-    const Trace trace = read_trace_file(file);
-    const std::string text = trace_json(trace);
-    CHECK(same(read_trace(text, "again"), trace));
-    CHECK(trace_json(read_trace(text, "again")) == text);
+    std::visit(
+        [](const auto& trace) {
+          const std::string text = trace_json(trace);
+          CHECK(same(read_any_trace(text, "again"), trace));
+          CHECK(std::visit([](const auto& again) { return trace_json(again); },
+                           read_any_trace(text, "again")) == text);
+        },
+        read_any_trace_file(file));
   }
 }
 
@@ -111,7 +115,7 @@ TEST_CASE("every bad trace is refused, and the message says where and why", "[io
   for (const auto& [file, message] : files) {
     INFO(file);
     CHECK(message_of(content(file)) == "file" + message);
-    CHECK_THROWS_WITH(read_trace_file(file), file.string() + message);
+    CHECK_THROWS_WITH(read_any_trace_file(file), file.string() + message);
   }
 }
 
@@ -141,6 +145,51 @@ TEST_CASE("what a trace file says is in the trace", "[io]") {
   CHECK(to.displacement->covariance ==
         std::array{0.04, 0.01, 0.0, 0.01, 0.09, -0.002, 0.0, -0.002, 0.0025});
   CHECK(to.extensions == "{}");
+}
+
+TEST_CASE("what a trace of the basic SSH says is in the experience", "[io][ssh]") {
+  const std::string file =
+      std::string(ASTERISM_SOURCE_DIR) + "/tests/corpus/trace/good/ssh.trace.json";
+  const auto experience = std::get<Experience>(read_any_trace_file(file));
+  CHECK(experience.name == "ssh");
+  CHECK(experience.views == std::vector<std::string>{"a door", "a+1 b+0", "turn", "ü", "a door"});
+  using Kind = Action::Kind;
+  CHECK(experience.actions ==
+        std::vector<Action>{
+            {Kind::travel}, {Kind::turn, "right"}, {Kind::turn_around}, {Kind::turn, "90"}});
+  CHECK(experience.extensions == R"({"x_by": "hand"})");
+  // Where stars are needed, it is refused in one line.
+  CHECK_THROWS_WITH(read_trace_file(file),
+                    file + ":/kind: found \"ssh\"; expected \"hssh\", a trace with stars");
+}
+
+TEST_CASE("an experience is written a view and an action to a line", "[io][ssh]") {
+  const Experience experience{.name = "line",
+                              .views = {"a", "b", "a"},
+                              .actions = {{Action::Kind::travel}, {Action::Kind::turn, "left"}},
+                              .extensions = R"({"x_a": 1})"};
+  CHECK(trace_json(experience) ==
+        R"({ "format": "asterism/trace", "version": 1, "kind": "ssh", "name": "line",
+  "x_a": 1,
+  "experience": [
+    "a", "travel",
+    "b", "turn:left",
+    "a" ] }
+)");
+}
+
+TEST_CASE("an experience that could not be read back is not written", "[io][ssh]") {
+  Experience experience{.name = "t", .views = {"a", "b"}, .actions = {{Action::Kind::travel}}};
+  CHECK_NOTHROW(trace_json(experience));
+  SECTION("no view") { experience.views.clear(); }
+  SECTION("a view too many") { experience.views.emplace_back("c"); }
+  SECTION("a view called like an action") { experience.views[1] = "turn:left"; }
+  SECTION("an empty view") { experience.views[0].clear(); }
+  SECTION("a turn without name") { experience.actions[0].kind = Action::Kind::turn; }
+  SECTION("a travel with a name") { experience.actions[0].turn = "left"; }
+  SECTION("a view not in UTF-8") { experience.views[0] = "\xff"; }
+  SECTION("extensions no object") { experience.extensions = "[]"; }
+  CHECK_THROWS_AS(trace_json(experience), std::invalid_argument);
 }
 
 TEST_CASE("keys that start with x_ are kept as they were written, in order", "[io]") {

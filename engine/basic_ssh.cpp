@@ -1,0 +1,64 @@
+#include "engine/basic_ssh.hpp"
+
+#include <map>
+#include <string>
+
+#include "engine/arm_table.hpp"
+
+namespace asterism {
+namespace {
+
+ArmTable table_of(const Trace& trace) {
+  ArmTable table;
+  for (const Visit& visit : trace.visits) table.append(visit);
+  return table;
+}
+
+/// The arms faced at a visit, one after the other, if it was entered by this arm: of its own star,
+/// or of that of the place it was to.
+std::vector<ArmIndex> faced(const ArmTable& table, std::size_t k, ArmIndex entered) {
+  const Visit& visit = table.trace().visits[k];
+  const bool is_left = k + 1 < table.visits();
+  std::vector<ArmIndex> result;
+  if (visit.entered_by || !is_left) result.push_back(table.opposite(entered));
+  if (is_left) {
+    const ArmIndex left = table.left(k, entered);
+    if (result.empty() || result.back() != left) result.push_back(left);
+  }
+  return result;
+}
+
+Action turn(const ArmTable& table, ArmIndex from, ArmIndex to) {
+  if (table.opposite(from) == to) return {Action::Kind::turn_around};
+  const ArmIndex size = table.star_size(table.visit_of(from));
+  return {Action::Kind::turn, std::to_string((to + size - from) % size)};
+}
+
+}  // namespace
+
+Experience basic_ssh(const Trace& trace) {
+  const ArmTable table = table_of(trace);
+  Experience result{.name = trace.name, .views = {}, .actions = {}};
+  for (std::size_t k = 0; k < table.visits(); ++k) {
+    if (k > 0) result.actions.push_back({Action::Kind::travel});
+    const std::vector<ArmIndex> arms = faced(table, k, table.entered(k));
+    for (std::size_t i = 0; i < arms.size(); ++i) {
+      if (i > 0) result.actions.push_back(turn(table, arms[i - 1], arms[i]));
+      result.views.push_back("v" + std::to_string(table.view(arms[i])));
+    }
+  }
+  return result;
+}
+
+std::vector<DStateId> basic_ssh_dstates(const Trace& trace, std::span<const Arrival> hypothesis) {
+  const ArmTable table = table_of(trace);
+  const std::vector<ArmIndex> named = table.named(hypothesis);
+  std::map<ArmIndex, DStateId> known;
+  std::vector<DStateId> result;
+  for (std::size_t k = 0; k < named.size(); ++k)
+    for (const ArmIndex arm : faced(table, k, named[k]))
+      result.push_back(known.emplace(arm, known.size()).first->second);
+  return result;
+}
+
+}  // namespace asterism
