@@ -23,23 +23,6 @@ std::map<PlaceId, TopologicalMap::Place> places_of(const Trace& trace, const Par
   return places;
 }
 
-/// Those travelled before the last visit is reached.
-std::set<Segment> segments_of(const Trace& trace, const PartialMap& map,
-                              const std::map<PlaceId, TopologicalMap::Place>& places,
-                              VisitId last) {
-  std::set<Segment> segments;
-  for (std::size_t k = 1; k < last.index(); ++k) {
-    if (!map[k - 1] || !map[k]) continue;
-    const Visit& before = trace.visits[k - 1];
-    const PlaceId from = map[k - 1]->place;
-    const std::size_t left = map[k - 1]->entered
-                                 ? left_arm(before, places.at(from).star, *map[k - 1]->entered)
-                                 : *before.left_by;
-    segments.insert(segment({from, left}, {map[k]->place, *map[k]->entered}));
-  }
-  return segments;
-}
-
 std::set<PlaceId> piece_with(PlaceId start, const std::set<Segment>& segments) {
   std::set<PlaceId> piece{start};
   for (std::size_t size = 0; size != piece.size();) {
@@ -55,7 +38,9 @@ std::set<PlaceId> piece_with(PlaceId start, const std::set<Segment>& segments) {
 
 CrossingMap crossing_map(const Trace& trace, const PartialMap& map, const Crossing& crossing) {
   const auto places = places_of(trace, map, crossing.visit);
-  const std::set<Segment> segments = segments_of(trace, map, places, crossing.visit);
+  const Segment last = segment(crossing.left, crossing.entered);
+  std::set<Segment> segments(crossing.segments.begin(), crossing.segments.end());
+  segments.erase(last);
   const std::set<PlaceId> piece = piece_with(crossing.left.place, segments);
 
   CrossingMap result;
@@ -71,7 +56,7 @@ CrossingMap crossing_map(const Trace& trace, const PartialMap& map, const Crossi
   };
   for (const Segment& one : segments)
     if (piece.contains(one.first.place)) add(one);
-  add({crossing.left, crossing.entered});
+  add(last);
 
   for (std::size_t k = 0; k <= crossing.visit.index(); ++k)
     if (map[k] && piece.contains(map[k]->place))

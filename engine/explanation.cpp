@@ -143,11 +143,13 @@ std::vector<std::vector<PlaceId>> loops_of(const TopologicalMap& map,
 std::optional<Crossing> find_crossing(const Trace& trace, const PartialMap& map) {
   for (std::size_t k = 1; k < map.size(); ++k) {
     const Sketch sketch = sketch_of(trace, std::span(map).first(k + 1));
-    if (is_planar(sketch.map)) continue;
+    const auto part = part_not_planar(sketch.map);
+    if (!part) continue;
     const auto [left, entered] = sketch.last.value();
-    const TopologicalMap before = sketch_of(trace, std::span(map).first(k)).map;
+    TopologicalMap before = *part;
+    std::erase(before.segments, TopologicalMap::Segment(std::minmax(left, entered)));
     const std::vector<PlaceArm> face = face_of(before, left);
-    return Crossing{VisitId(k), left, entered, face, loops_of(before, face)};
+    return Crossing{VisitId(k), left, entered, part->segments, face, loops_of(before, face)};
   }
   return std::nullopt;
 }

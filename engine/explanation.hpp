@@ -20,6 +20,7 @@ using PartialMap = std::vector<std::optional<Arrival>>;
 struct Crossing {
   VisitId visit;  ///< where the travel ends
   PlaceArm left, entered;
+  std::vector<TopologicalMap::Segment> segments;  ///< that cannot be drawn together
   std::vector<PlaceArm> face;  ///< that the travel leaves into: gateways, as in faces()
   std::vector<std::vector<PlaceId>> loops;  ///< closed ways along its border: places, in order
 };

@@ -301,8 +301,9 @@ class MapProblem::State {
   bool rule_out_crossing(const std::set<Premise>& in_force) {
     if (!in_force.contains({Premise::Kind::planarity})) return false;
     std::map<PlaceId, std::size_t> first_visit;
-    TopologicalMap sketch = this->sketch(first_visit);
-    if (is_planar(sketch)) return false;
+    const auto part = part_not_planar(this->sketch(first_visit));
+    if (!part) return false;
+    TopologicalMap sketch = *part;
     // The fewest segments: what is left is not planar, and is without any one of them.
     for (std::size_t i = 0; i < sketch.segments.size();) {
       TopologicalMap without = sketch;

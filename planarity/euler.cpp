@@ -64,4 +64,23 @@ bool is_planar(const TopologicalMap& map) {
   return joined.size() + faces(map).size() == map.segments.size() + 2 * count_pieces(map);
 }
 
+std::optional<TopologicalMap> part_not_planar(const TopologicalMap& map) {
+  std::map<PlaceArm, std::size_t> segment_of;
+  for (std::size_t s = 0; s < map.segments.size(); ++s) {
+    const auto& [one, other] = map.segments[s];
+    std::set<std::size_t> too_many;
+    for (const PlaceArm gateway : {one, other})
+      if (const auto [known, is_first] = segment_of.emplace(gateway, s); !is_first)
+        too_many.insert({known->second, s});
+    // Of two with one gateway, a part has one or none; of one that leads back into its own, none.
+    for (const std::size_t spared : too_many) {
+      TopologicalMap fewer = map;
+      fewer.segments.erase(fewer.segments.begin() + static_cast<std::ptrdiff_t>(spared));
+      if (auto part = part_not_planar(fewer)) return part;
+    }
+    if (!too_many.empty()) return std::nullopt;
+  }
+  return is_planar(map) ? std::nullopt : std::optional(map);
+}
+
 }  // namespace asterism

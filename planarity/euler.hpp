@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/topological_map.hpp"
@@ -15,5 +16,11 @@ std::vector<std::vector<PlaceArm>> faces(const TopologicalMap& map);
 /// Can the map be drawn in the plane with the clockwise orders of its stars?  [SK04] [DESIGN §7]
 /// V - E + F = 2. A map in several pieces is planar iff each piece is; a place without segments is.
 bool is_planar(const TopologicalMap& map);
+
+/// What of the map cannot be drawn: all of it, if it is not planar. Where axioms let a gateway have
+/// more than one segment, stars do not say in which order these leave it: then such a map cannot be
+/// drawn if some part of it cannot in which each gateway has one at most; that part.
+/// @return nothing if all can be drawn; else the map with fewer segments
+std::optional<TopologicalMap> part_not_planar(const TopologicalMap& map);
 
 }  // namespace asterism

@@ -118,6 +118,23 @@ class MapOfVisits {
             std::minmax(gateway(table_.left(k - 1, *named_[k - 1])), gateway(*named_[k])));
     }
     map.segments.assign(segments.begin(), segments.end());
+    return can_be_drawn(map);
+  }
+
+  /// Whichever segments are taken where a gateway has several.
+  static bool can_be_drawn(const TopologicalMap& map) {
+    for (std::size_t i = 0; i < map.segments.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j) {
+        const auto& [a, b] = map.segments[i];
+        const auto& [c, d] = map.segments[j];
+        if (i == j ? a != b : a != c && a != d && b != c && b != d) continue;
+        for (const std::size_t spared : {i, j}) {
+          TopologicalMap fewer = map;
+          fewer.segments.erase(fewer.segments.begin() + static_cast<std::ptrdiff_t>(spared));
+          if (!can_be_drawn(fewer)) return false;
+        }
+        return true;
+      }
     return is_planar(map);
   }
 
