@@ -101,8 +101,8 @@ std::vector<SolverAnswer> ask_solver(const Trace& trace, const AxiomSet& axioms,
     // None is smaller, so that these are as large; and closed paths, which the solver counts as
     // none, cannot hide a map from it.
     for (std::size_t i = 0; i < best.extents.size(); ++i)
-      premises.push_back(problem.add(
-          compare(axioms.preference()[i], Claim::Relation::at_most, best.extents[i])));
+      premises.push_back(
+          problem.add(compare(axioms.preference()[i], Claim::Relation::at_most, best.extents[i])));
   }
   const auto ask = [&](const Claim& claim, std::optional<std::vector<Arrival>>& map) {
     if (verdict != Verdict::consistent) return verdict;

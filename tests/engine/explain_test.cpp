@@ -70,7 +70,8 @@ void check_reason(const Trace& trace, const Association& child) {
   for (const Clash::Step& step : reason->steps)
     CHECK(std::ranges::count(reason->axioms, step.axiom) == 1);
   // The axioms named suffice.
-  const auto again = explain_dropped(trace, child, only({reason->axioms.begin(), reason->axioms.end()}), false);
+  const auto again =
+      explain_dropped(trace, child, only({reason->axioms.begin(), reason->axioms.end()}), false);
   REQUIRE(again);
   CHECK_FALSE(again->not_planar);
 }

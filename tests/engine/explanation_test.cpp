@@ -262,7 +262,7 @@ TEST_CASE("explanations of pairs of visits clash, and none of their members can 
   check_every_pair("grid-4x4-snake", 42);
 }
 
-TEST_CASE("each impossible pair of visits is explained by what cannot be spared", "[.full]") {
+TEST_CASE("each impossible pair of visits is explained by what cannot be spared", "[full]") {
   check_every_pair("eight-crossings", 1);
   check_every_pair("aces-stubs", 1);
   check_every_pair("grid-4x4-snake", 1);
@@ -273,7 +273,7 @@ TEST_CASE("clashes are explained on random worlds") {
   CHECK(impossible > 5);
 }
 
-TEST_CASE("clashes are explained on 500 random worlds", "[.full]") {
+TEST_CASE("clashes are explained on 500 random worlds", "[full]") {
   const auto [impossible, by_planarity] = check_worlds(24, 500);
   CHECK(impossible > 100);
   CHECK(by_planarity > 0);
