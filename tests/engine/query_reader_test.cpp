@@ -72,7 +72,7 @@ TEST_CASE("a route is asked for alone", "[engine][query]") {
       read_query(text);
       FAIL("a query");
     } catch (const QueryError& error) {
-      CHECK(std::string(error.what()).find("; expected same, adjacent,") != std::string::npos);
+      CHECK(std::string(error.what()).find("; expected same, differ,") != std::string::npos);
     }
 }
 
