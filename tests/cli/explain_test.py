@@ -131,13 +131,19 @@ class BadInput(Folder):
         self.assertEqual((done.returncode, done.stdout), (65, ""))
 
 
-class Pages(unittest.TestCase):
+class Pages(Folder):
     def test_what_is_shown_is_printed(self):
-        shown = shown_in_readme("explain") + shown_in("docs/queries.md", "explain")
-        self.assertTrue(shown)
-        for command, output in shown:
+        in_readme = shown_in_readme("explain")
+        shown = shown_in("docs/queries.md", "explain")
+        self.assertTrue(in_readme and shown)
+        for command, output in in_readme + shown:
             command = [SOURCE / word if word.startswith("examples/") else word for word in command]
             self.assertEqual(run(*command).stdout.rstrip(), output)
+
+    def test_their_picture_is_drawn_so(self):
+        file = self.folder / "clash.svg"
+        run("explain", SOURCE / "examples/aces-stubs.trace.json", "same(8, 10)", "--svg", file)
+        self.assertEqual((SOURCE / "docs/aces-clash.svg").read_text(), file.read_text())
 
 
 if __name__ == "__main__":

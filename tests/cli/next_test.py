@@ -10,7 +10,7 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 
-from program import PROGRAM, SOURCE, Folder, run, shown_in, view
+from program import PROGRAM, SOURCE, Folder, run, shown_in, shown_in_readme, view
 
 TRACES = SOURCE / "tests/traces"
 ACES = TRACES / "aces-stubs.trace.json"
@@ -275,7 +275,9 @@ class Docs(unittest.TestCase):
     def test_what_they_show_is_what_comes_out(self):
         shown = shown_in("docs/next.md", "next")
         self.assertGreaterEqual(len(shown), 2)
-        for command, output in shown:
+        in_readme = shown_in_readme("next")
+        self.assertTrue(in_readme)
+        for command, output in shown + in_readme:
             done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
                                   timeout=300)
             self.assertEqual((done.stdout + done.stderr).rstrip(), output, command)

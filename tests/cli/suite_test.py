@@ -9,7 +9,7 @@ import sys
 import unittest
 import xml.etree.ElementTree as xml
 
-from program import PROGRAM, SOURCE, Folder, run
+from program import PROGRAM, SOURCE, Folder, run, shown_in_readme
 
 TRACES = SOURCE / "tests/traces"
 NAMES = sorted(file.name[: -len(".trace.json")] for file in TRACES.glob("*.trace.json"))
@@ -348,6 +348,14 @@ class Docs(unittest.TestCase):
         done = run("test", "--help")
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stdout, r"Examples:\s+asterism test")
+
+    def test_what_the_readme_shows_is_what_comes_out(self):
+        shown = shown_in_readme("test")
+        self.assertTrue(shown)
+        for command, output in shown:
+            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
+                                  timeout=300)
+            self.assertEqual((done.stdout + done.stderr).rstrip(), output, command)
 
     def test_the_file_shown_is_one(self):
         page = (SOURCE / "docs/formats.md").read_text()
