@@ -39,8 +39,7 @@ bool is_complete(const QueryReport& report) {
                                  });
 }
 
-void print_solved(const QueryCommand& command, const QueryReport& report) {
-  fmt::print("{}", assuming_text(command.map.options.assumptions));
+void print_solved(const QueryReport& report) {
   for (std::size_t i = 0; i < report.solved.size(); ++i) {
     const SolverAnswer& answer = report.solved[i];
     const std::optional<Modality> modality = answer.modality();
@@ -56,7 +55,6 @@ void print_solved(const QueryCommand& command, const QueryReport& report) {
 
 void print(const QueryCommand& command, const MapTree& tree, const QueryReport& report) {
   const std::vector<Assumption>& assumptions = command.map.options.assumptions;
-  fmt::print("{}", assuming_text(assumptions));
   for (std::size_t i = 0; i < report.queries.size(); ++i) {
     const std::string text = one_line(report.queries[i].text);
     if (!report.answers) {
@@ -203,8 +201,9 @@ int query_command(const QueryCommand& given) {
     write(std::cout);
   } else {
     if (command.map.json) write_atomically(*command.map.json, write);
+    fmt::print("{}", assuming_text(command.map.options.assumptions));
     if (command.by_solver) {
-      print_solved(command, report);
+      print_solved(report);
     } else {
       print_routes(command, trace, report.routes, report.stopped_by);
       print(command, tree, report);

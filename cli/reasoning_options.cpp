@@ -123,6 +123,7 @@ clockwise of the one come in by the robot leaves: 0 leads back. docs/next.md tel
 Exit code: 0 there is a map, 1 none explains the trace, 2 stopped by a limit or Ctrl-C, 64 usage,
 65 bad input, 70 internal fault or a result that cannot be written.)");
   add_maps_of_trace(next, command.map);
+  add_check(next, command.map.options);
   next.add_option("--max-travels", command.bounds.travels, "Look for exits so many travels away")
       ->type_name("N")
       ->check(CLI::Range(1, 100))
