@@ -109,9 +109,12 @@ std::string clash_text(const ExplainCommand& command, const Trace& trace, const 
       text += fmt::format("  {}\n", name_of(premise, command, axioms, report));
   }
   text += "None can be spared. The others allow\n";
+  std::size_t width = 27;
   for (const auto& [premise, without] : clash.members)
-    text += fmt::format("  {:<27} {}\n", "without " + name_of(premise, command, axioms, report),
-                        partial_map_text(without));
+    width = std::max(width, 8 + name_of(premise, command, axioms, report).size());
+  for (const auto& [premise, without] : clash.members)
+    text += fmt::format("  {:<{}} {}\n", "without " + name_of(premise, command, axioms, report),
+                        width, partial_map_text(without));
   return text;
 }
 
