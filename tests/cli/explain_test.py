@@ -117,6 +117,36 @@ class BySolver(Folder):
             self.assertIn(option[0], done.stderr)
 
 
+class Schema(Folder):
+    def setUp(self):
+        super().setUp()
+        try:
+            import jsonschema
+        except ImportError:
+            self.skipTest("jsonschema is missing")
+        schema = json.loads((SOURCE / "docs/explanation.schema.json").read_text())
+        jsonschema.Draft202012Validator.check_schema(schema)
+        self.validator = jsonschema.Draft202012Validator(schema)
+
+    def written(self, *arguments):
+        _, found = explained(ACES, *arguments)
+        self.validator.validate(found)
+        return found
+
+    def refused(self, document, *changes):
+        """Whether each of these changes, (value, *keys), makes the document a bad one."""
+        for value, *keys, last in changes:
+            changed = json.loads(json.dumps(document))
+            part = changed
+            for key in keys:
+                part = part[key]
+            if value is None and isinstance(part, dict) and part[last] is None:
+                del part[last]
+            else:
+                part[last] = value
+            self.assertFalse(self.validator.is_valid(changed), (value, keys, last))
+
+
 class BadInput(Folder):
     def test_refused(self):
         out = self.folder / "out.json"
