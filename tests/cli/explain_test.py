@@ -117,6 +117,112 @@ class BySolver(Folder):
             self.assertIn(option[0], done.stderr)
 
 
+class Schema(Folder):
+    def setUp(self):
+        super().setUp()
+        try:
+            import jsonschema
+        except ImportError:
+            self.skipTest("jsonschema is missing")
+        schema = json.loads((SOURCE / "docs/explanation.schema.json").read_text())
+        jsonschema.Draft202012Validator.check_schema(schema)
+        self.validator = jsonschema.Draft202012Validator(schema)
+
+    def written(self, *arguments, trace=ACES):
+        _, found = explained(trace, *arguments)
+        self.validator.validate(found)
+        return found
+
+    def assert_refused(self, document, *changes):
+        """Each change, a value and the keys that lead to where it is put, spoils the document."""
+        self.assertTrue(self.validator.is_valid(document))
+        for value, *keys, last in changes:
+            spoilt = json.loads(json.dumps(document))
+            part = spoilt
+            for key in keys:
+                part = part[key]
+            part[last] = value
+            self.assertFalse(self.validator.is_valid(spoilt), (value, *keys, last))
+
+    def test_clash(self):
+        certain = self.written("not same(8, 10)", "--axiom", "one_segment")
+        self.assertEqual(certain["verdict"], "certain")
+        found = self.written("same(8, 10)")
+        self.assertEqual(kinds(found["clash"])[::3], ["visit", "axiom", "axiom"])
+        without = found["clash"][0]["without"]
+        self.assert_refused(
+            found,
+            ("asterism/answers", "format"), (2, "version"), ("likely", "verdict"), (None, "query"),
+            (1, "x"), (1, "options", "x"), ("some", "options", "over"), ([], "options", "assumptions"),
+            ("possible", "verdict"), ("certain", "verdict"), ("undecided", "verdict"),
+            (None, "clash"), ([], "clash"), (certain["witness"], "witness"),
+            (found["clash"] + found["clash"][-1:], "clash"),
+            ({"visit": 8}, "clash", 0), ({"without": without}, "clash", 0),
+            ({"visit": None, "without": without}, "clash", 0),
+            ({"axiom": "view", "without": without}, "clash", 0),
+            ({"planarity": None, "without": without}, "clash", 0),
+            ({"assumption": "same(0, 1)", "without": without}, "clash", 0),
+            ("same(8, 10)", "clash", 0, "claim"), ("a word", "clash", 0, "words"),
+            (-1, "clash", 0, "without", "visits", 0), (0.5, "clash", 0, "without", "entered", 0),
+            (1, "clash", 0, "without", "x"))
+        self.assert_refused(certain, (None, "witness"), (certain["witness"], "counterexample"),
+                            (None, "witness", "visits", 3), (None, "witness", "entered", 3))
+        for key in found:
+            rest = {other: value for other, value in found.items() if other != key}
+            self.assertFalse(self.validator.is_valid(rest), key)
+
+    def test_planarity(self):
+        star = "a+1 b+1 c+1 a-0 b-0 c-0"  # three segments, in the same order at both their ends
+        visits = [{"star": star, "left_by": "a+"},
+                  {"star": star, "entered_by": "a+", "left_by": "b+"},
+                  {"star": star, "entered_by": "b+", "left_by": "c+"},
+                  {"star": star, "entered_by": "c+"}]
+        trace = self.file("three.trace.json", json.dumps(
+            {"format": "asterism/trace", "version": 1, "name": "three", "visits": visits}))
+        found = self.written("same(0, 2) and same(1, 3)", "--planar", trace=trace)
+        at = kinds(found["clash"]).index("planarity")
+        self.assertTrue(found["clash"][at]["planarity"]["loops"])
+        self.assert_refused(
+            found,
+            (False, "options", "planar"), (True, "clash", at, "planarity"),
+            ({}, "clash", at, "planarity"), ([0], "clash", at, "planarity", "left"),
+            ([0, 1, 2], "clash", at, "planarity", "face", 0), ([], "clash", at, "planarity", "face"),
+            ([-1], "clash", at, "planarity", "loops", 0), (1, "clash", at, "planarity", "x"),
+            (found["clash"] + found["clash"][at:at + 1], "clash"))
+
+    def test_assumption(self):
+        found = self.written("same(0, 1)", "--assume", "differ(0, 0)")
+        at = kinds(found["clash"]).index("assumption")
+        self.assert_refused(found, ("differ(0,0)", "clash", at, "assumption"),
+                            ("differ(0,0)", "options", "assumptions", 0))
+        self.written("same(0, 8)", "--assume", "differ(2, 14)")
+
+    def test_possible(self):
+        found = self.written("same(0, 8)")
+        self.assert_refused(found, (None, "witness"), (None, "counterexample"), ([], "clash"),
+                            ("impossible", "verdict"), ("certain", "verdict"), ("undecided", "verdict"))
+
+    def test_preference(self):
+        self.assertEqual(self.written("places < 10", "--over", "minimal")["verdict"], "certain")
+        found = self.written("places = 10", "--over", "minimal")
+        self.assert_refused(
+            found,
+            ("all", "options", "over"), ("possible", "verdict"), (None, "preference"),
+            (None, "witness"), (None, "counterexample"),
+            ("gateway", "preference", "decides"), (["path", "path"], "preference", "extents"),
+            ([], "preference", "minimal"), ([-1, 9], "preference", "best"),
+            (None, "preference", "map"), (1, "preference", "x"))
+
+    def test_undecided(self):
+        found = self.written("same(0, 8)", "--time-limit", "0")
+        self.assertEqual(found["verdict"], "undecided")
+        self.assert_refused(found, ("possible", "verdict"), ("certain", "verdict"), ([], "clash"))
+        # time over after the maps were found, and before the minimal models were
+        found = self.written("same(2, 14)", "--over", "minimal")
+        self.validator.validate({**found, "verdict": "undecided"})
+        self.assert_refused({**found, "verdict": "undecided"}, (None, "witness"))
+
+
 class BadInput(Folder):
     def test_refused(self):
         out = self.folder / "out.json"

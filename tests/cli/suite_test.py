@@ -248,6 +248,11 @@ class Schema(Suite):
             done = run("query", aces, "same(0, 8)", "places < 9", "order(1, 2, 3)", "--json", "-",
                        *options)
             check("answers", done.stdout)
+        for options in (["same(8, 10)", "--by", "solver"], ["route(5, 13)"],
+                        ["same(0, 8)", "--by", "solver", "--time-limit", "0"],
+                        ["route(5, 13)", "same(0, 8)", "--max-hypotheses", "3"],
+                        ["route(5, 13)", "--assume", "differ(0, 0)"]):
+            check("answers", run("query", aces, *options, "--json", "-").stdout)
         check("maps", run("map", aces, "--json", "-", "--assume", "differ(0, 8)").stdout)
         for name in NAMES:
             shutil.copy(TRACES / f"{name}.trace.json", self.suite)
