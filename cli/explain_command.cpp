@@ -83,6 +83,7 @@ int explain_command(const ExplainCommand& given) {
   command.map.options.assumptions = assumptions_of(stated, trace);
   command.map.options.check = "solver";  // it is the solver that explains, whatever the axioms
   const AxiomSet axioms = read_axioms(command.map);
+  require_countable(report.query.claim, report.query.text, axioms);
   find_reasons(command, trace, axioms, report);
 
   const auto write = [&](std::ostream& out) {

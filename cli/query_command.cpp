@@ -149,7 +149,9 @@ void ask_solver(const QueryCommand& command, const Trace& trace, const AxiomSet&
     given.push_back(claim_of(assumption));
   report.solved = ask_solver(trace, axioms, command.map.options.planar, given, report.queries,
                              command.only_minimal, seconds);
-  if (!is_complete(report)) report.stopped_by = fmt::format("time limit of {} s", seconds);
+  if (is_complete(report)) return;
+  const auto& limit = command.map.options.time_limit_s;
+  report.stopped_by = limit ? fmt::format("time limit of {} s", *limit) : "the solver's own";
 }
 
 int exit_code(const QueryReport& report) {

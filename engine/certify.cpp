@@ -61,7 +61,7 @@ Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
       return agrees(assumption, map.visits.at(assumption.one.index()),
                     map.visits.at(assumption.other.index()));
     });
-    if (extents_by_preference(map, axioms) != *best || (planar && !is_planar(map)) ||
+    if (extents_by_preference(map, axioms) != *best || (planar && part_not_planar(map)) ||
         !is_as_assumed)
       return Certificate::refuted;
     switch (check_model(table, axioms, table.named(model), deadline)) {

@@ -17,8 +17,8 @@ enum class Certificate {
 };
 
 /// Has the solver certify minimal models: each satisfies axioms and trace, and "a consistent
-/// (planar) map strictly preferred to these", data association left free, is unsatisfiable. [DESIGN
-/// §8]
+/// (planar) map strictly preferred to these", data association left free, is unsatisfiable.
+///                                                                             [DESIGN §8]
 ///
 /// The second is put to a MapProblem: no star matching and no tree takes part.
 ///

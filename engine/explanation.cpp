@@ -4,8 +4,8 @@
 #include <chrono>
 #include <map>
 #include <set>
+#include <stdexcept>
 
-#include "core/error.hpp"
 #include "planarity/euler.hpp"
 
 namespace asterism {
@@ -45,7 +45,7 @@ std::vector<Premise> without(const std::vector<Premise>& premises, const Premise
 std::optional<std::vector<Premise>> minimise(MapProblem& problem, std::vector<Premise> premises) {
   for (const Premise& candidate : by_importance(premises)) {
     if (std::ranges::find(premises, candidate) == premises.end()) continue;
-    // What is needed beside more premises is needed beside fewer, too.
+    // What is needed beside more premises is nearly always needed beside fewer: confirm() sees.
     switch (problem.check(without(premises, candidate))) {
       case Verdict::undecided:
         return std::nullopt;
@@ -60,18 +60,19 @@ std::optional<std::vector<Premise>> minimise(MapProblem& problem, std::vector<Pr
 }
 
 /// Checks, by a solver that knows nothing yet, that the premises cannot all be and that none can be
-/// spared; nothing when out of time.
+/// spared; if one can after all, goes on with the others. Nothing when out of time.
 std::optional<std::vector<Explanation::Member>> confirm(MapProblem& fresh,
                                                         const std::vector<Premise>& premises) {
-  const auto decided = [](Verdict verdict, Verdict expected) {
-    if (verdict != expected && verdict != Verdict::undecided)
-      throw SolverError("z3: an explanation did not stand a second check");
-    return verdict == expected;
-  };
-  if (!decided(fresh.check(premises), Verdict::inconsistent)) return std::nullopt;
+  const Verdict all = fresh.check(premises);
+  if (all == Verdict::consistent)
+    throw std::logic_error("an explanation did not stand a second check");
+  if (all == Verdict::undecided) return std::nullopt;
   std::vector<Explanation::Member> members;
   for (const Premise& premise : premises) {
-    if (!decided(fresh.check(without(premises, premise)), Verdict::consistent)) return std::nullopt;
+    const std::vector<Premise> others = without(premises, premise);
+    const Verdict verdict = fresh.check(others);
+    if (verdict == Verdict::inconsistent) return confirm(fresh, others);
+    if (verdict == Verdict::undecided) return std::nullopt;
     members.push_back({premise, fresh.map()});
   }
   return members;

@@ -49,7 +49,10 @@ struct Reason {
 /// visits, and the axioms from the last to the first: what stays is as elementary as it may be.
 ///
 /// @param seconds  for all of it; past them the verdict is *undecided*
-/// @throws SolverError if the fresh solver disagrees
+/// Paths and segments are counted by the closed form, also where an axiom is spared on which it
+/// rests.
+///
+/// @throws std::logic_error if the fresh solver disagrees
 Reason explain(const Trace& trace, const AxiomSet& axioms, bool planar,
                std::span<const Claim> claims, double seconds);
 

@@ -93,7 +93,8 @@ class MapProblem::State {
         if (check(part, true) == Verdict::inconsistent) return Verdict::inconsistent;
     const Verdict without = check(in_force, true);
     // What a map says of visits left open may make other claims true.
-    return without == Verdict::inconsistent && !all_about_places ? check(in_force, false) : without;
+    const bool may_say_more = !all_about_places && leaves_visits_open(in_force);
+    return without == Verdict::inconsistent && may_say_more ? check(in_force, false) : without;
   }
 
   std::span<const Premise> core() const { return core_; }
@@ -117,6 +118,12 @@ class MapProblem::State {
     Claim claim;
     z3::expr literal;
   };
+
+  bool leaves_visits_open(const std::set<Premise>& in_force) const {
+    for (std::size_t k = 0; k < table_.visits(); ++k)
+      if (!in_force.contains({Premise::Kind::visit, k})) return true;
+    return false;
+  }
 
   bool has_all_axioms(const std::set<Premise>& in_force) const {
     const std::vector<Axiom>& axioms = grounder_.axioms().axioms();

@@ -28,7 +28,7 @@ Verdict SolverEngine::decide(ArmIndex arm) {
   enter(k, arm, step(k, arm));
   Verdict verdict = solver_.check();
   leave(k, arm, step(k, arm));
-  if (verdict != Verdict::inconsistent && planar_ && !is_planar(map_with(arm)))
+  if (verdict != Verdict::inconsistent && planar_ && part_not_planar(map_with(arm)))
     verdict = Verdict::inconsistent;
   if (verdict == Verdict::undecided) ++undecided_;
   return verdict;

@@ -23,22 +23,30 @@ std::vector<Arrival> whole_map(const MapProblem& problem) {
   return result;
 }
 
-bool counts_paths(const Claim& claim) {
+bool counts_paths_or_segments(const Claim& claim) {
   const auto counts = [](const Claim::Number& number) {
     const auto* count = std::get_if<Claim::Count>(&number);
-    return count != nullptr && *count == Claim::Count::paths;
+    return count != nullptr && *count != Claim::Count::places;
   };
   if (const auto* all = std::get_if<Claim::All>(&claim.is))
-    return std::ranges::any_of(all->parts, counts_paths);
+    return std::ranges::any_of(all->parts, counts_paths_or_segments);
   if (const auto* any = std::get_if<Claim::Any>(&claim.is))
-    return std::ranges::any_of(any->parts, counts_paths);
+    return std::ranges::any_of(any->parts, counts_paths_or_segments);
   if (const auto* negation = std::get_if<Claim::Not>(&claim.is))
-    return counts_paths(negation->part.front());
+    return counts_paths_or_segments(negation->part.front());
   const auto* comparison = std::get_if<Claim::Comparison>(&claim.is);
   return comparison != nullptr && (counts(comparison->left) || counts(comparison->right));
 }
 
 }  // namespace
+
+void require_countable(const Claim& claim, const std::string& text, const AxiomSet& axioms) {
+  if (!counts_paths_or_segments(claim)) return;
+  for (const char* name : {"deterministic", "reversible", "irreflexive", "transitive"})
+    if (!axioms.contains(name))
+      throw InputError(text, std::string("paths or segments counted without the axiom ") + name,
+                       "a query that does not count them, or one by enumeration");
+}
 
 Claim preferred_to(const std::vector<std::size_t>& extents, const AxiomSet& axioms) {
   Claim::Any ways;
@@ -84,12 +92,9 @@ std::optional<Modality> SolverAnswer::modality() const {
 std::vector<SolverAnswer> ask_solver(const Trace& trace, const AxiomSet& axioms, bool planar,
                                      std::span<const Claim> given, std::span<const Query> queries,
                                      bool only_minimal, double seconds) {
-  const bool closed_form = axioms.contains("irreflexive") && axioms.contains("transitive");
   for (const Query& query : queries) {
     require_visits(query, trace);
-    if (!closed_form && counts_paths(query.claim))
-      throw InputError(query.text, "paths, which may close on themselves under these axioms",
-                       "a query that does not count them, or one by enumeration");
+    require_countable(query.claim, query.text, axioms);
   }
   MapProblem problem(trace, axioms, seconds);
   std::vector<Premise> premises = problem.premises(planar);

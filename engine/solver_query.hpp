@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "axioms/axiom_set.hpp"
@@ -20,6 +21,12 @@ Claim preferred_to(const std::vector<std::size_t>& extents, const AxiomSet& axio
 
 /// The sizes of a map's extents, in the order of preference.
 std::vector<std::size_t> extents_by_preference(const TopologicalMap& map, const AxiomSet& axioms);
+
+/// The solver counts paths and segments by the closed form: the axioms must keep every gateway to
+/// one segment, and every path from closing on itself.                                    [DESIGN
+/// §6]
+/// @throws InputError if they do not, and the claim counts these
+void require_countable(const Claim& claim, const std::string& text, const AxiomSet& axioms);
 
 /// The best map that a MapProblem allows.
 struct Optimum {
@@ -48,8 +55,8 @@ struct SolverAnswer {
 ///
 /// @param given    claims that every map asked makes true
 /// @param seconds  for all of it
-/// @throws InputError if the queries name visits that the trace does not have, or paths are counted
-///         and the axioms allow paths that close on themselves, which the solver cannot count
+/// @throws InputError if the queries name visits that the trace does not have, or see
+///         require_countable()
 std::vector<SolverAnswer> ask_solver(const Trace& trace, const AxiomSet& axioms, bool planar,
                                      std::span<const Claim> given, std::span<const Query> queries,
                                      bool only_minimal, double seconds);

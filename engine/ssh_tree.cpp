@@ -90,7 +90,10 @@ class SshTree::Growing::Pass {
     for (bool more = true; more && growth_ == MapTree::Growth::complete;) {
       const Preorder::Node node = old_[at_++];
       more = node.has_next_sibling;
-      if (!engine_.try_enter(node.arm)) throw std::logic_error("a map was kept and is refuted");
+      if (!engine_.try_enter(node.arm)) {  // was undecided, and is refuted now
+        skip(k + 1);
+        continue;
+      }
       named_.push_back(node.arm);
       siblings.begin(node.arm);
       const bool lives = k + 1 < levels_before_ ? replay(k + 1) : grow(k + 1);
@@ -99,6 +102,14 @@ class SshTree::Growing::Pass {
       engine_.leave();
     }
     return siblings.any();
+  }
+
+  /// Passes over what was below a node.
+  void skip(std::size_t k) {
+    for (bool more = k < levels_before_; more;) {
+      more = old_[at_++].has_next_sibling;
+      skip(k + 1);
+    }
   }
 
   bool grow(std::size_t k) {
