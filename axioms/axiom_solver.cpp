@@ -23,6 +23,7 @@ Verdict verdict(z3::check_result result) {
 void set_timeout(z3::context& context, z3::solver& solver, unsigned timeout_ms) {
   z3::params parameters(context);
   parameters.set("timeout", timeout_ms);
+  parameters.set("ctrl_c", false);  // an interrupt is the program's
   solver.set(parameters);
 }
 
@@ -99,6 +100,7 @@ class GuardedProblem {
     z3::solver solver(context_, z3::solver::simple());
     z3::params parameters(context_);
     parameters.set("timeout", timeout_ms);
+    parameters.set("ctrl_c", false);  // an interrupt is the program's
     parameters.set("core.minimize", true);
     solver.set(parameters);
     z3::expr_vector guards(context_);

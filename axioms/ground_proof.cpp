@@ -64,6 +64,7 @@ class WrittenOut {
     z3::solver solver(context_, z3::solver::simple());
     z3::params parameters(context_);
     parameters.set("timeout", timeout_ms);
+    parameters.set("ctrl_c", false);  // an interrupt is the program's
     solver.set(parameters);
     for (const z3::expr& formula : apart_) solver.add(formula);
     for (const z3::expr& formula : fails_) solver.add(formula);

@@ -53,6 +53,7 @@ class GroundModel {
       const auto left =
           std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
       parameters.set("timeout", static_cast<unsigned>(std::max<long long>(1, left.count())));
+      parameters.set("ctrl_c", false);  // an interrupt is the program's
       solver_.set(parameters);
     }
     switch (solver_.check()) {

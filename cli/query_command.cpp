@@ -39,18 +39,24 @@ bool is_complete(const QueryReport& report) {
                                  });
 }
 
-void print_solved(const QueryReport& report) {
+void print_solved(const QueryCommand& command, const QueryReport& report) {
   for (std::size_t i = 0; i < report.solved.size(); ++i) {
     const SolverAnswer& answer = report.solved[i];
     const std::optional<Modality> modality = answer.modality();
     fmt::print("{}: {}\n", one_line(report.queries[i].text),
-               modality ? name_of(*modality) : "undecided");
+               modality ? name_of(*modality)
+                        : fmt::format("undecided, stopped by {}", *report.stopped_by));
     if (modality && *modality != Modality::possible) continue;
     if (answer.witness)
       fmt::print("  it holds with visits at places {}\n", visits_text(*answer.witness));
     if (answer.counterexample)
       fmt::print("  it fails with visits at places {}\n", visits_text(*answer.counterexample));
   }
+  if (std::ranges::any_of(report.solved, [](const SolverAnswer& answer) {
+        return answer.can_hold == Verdict::inconsistent && answer.can_fail == Verdict::inconsistent;
+      }))
+    fmt::print("no map explains the trace{}\n",
+               command.map.options.assumptions.empty() ? "" : " under these assumptions");
 }
 
 void print(const QueryCommand& command, const MapTree& tree, const QueryReport& report) {
@@ -193,9 +199,10 @@ int query_command(const QueryCommand& given) {
   MapTree::Options options = tree_options(command.map, axioms);
   options.go_on = std::ref(progress);
   MapTree tree(std::move(options));
-  if (command.by_solver)
+  if (command.by_solver) {
+    progress.grown("asking the solver");
     ask_solver(command, trace, axioms, report);
-  else
+  } else
     find_answers(command, trace, tree, progress, report);
 
   const auto write = [&](std::ostream& out) { write_json(out, command, trace, tree, report); };
@@ -205,7 +212,7 @@ int query_command(const QueryCommand& given) {
     if (command.map.json) write_atomically(*command.map.json, write);
     fmt::print("{}", assuming_text(command.map.options.assumptions));
     if (command.by_solver) {
-      print_solved(report);
+      print_solved(command, report);
     } else {
       print_routes(command, trace, report.routes, report.stopped_by);
       print(command, tree, report);

@@ -220,6 +220,7 @@ class MapProblem::State {
   void set_timeout() {
     z3::params parameters(context_);
     parameters.set("timeout", milliseconds_left());
+    parameters.set("ctrl_c", false);  // an interrupt is the program's
     parameters.set("relevancy", 0U);  // what is told says what is relevant: half the time
     solver_.set(parameters);
   }

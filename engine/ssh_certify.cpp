@@ -68,6 +68,7 @@ class PreferredMap {
     while (!out_of_time()) {
       z3::params parameters(context_);
       parameters.set("timeout", milliseconds_until(deadline_));
+      parameters.set("ctrl_c", false);  // an interrupt is the program's
       solver_.set(parameters);
       const z3::check_result result = solver_.check();
       if (result == z3::unsat) return Verdict::inconsistent;

@@ -106,7 +106,7 @@ class BySolver(Folder):
 
     def test_undecided(self):
         done = run("query", ACES, "same(0, 8)", "--by", "solver", "--time-limit", "0")
-        self.assertEqual((done.returncode, done.stdout), (2, "same(0, 8): undecided\n"))
+        self.assertEqual((done.returncode, done.stdout), (2, "same(0, 8): undecided, stopped by time limit of 0 s\n"))
         done = run("explain", ACES, "same(0, 8)", "--time-limit", "0")
         self.assertEqual((done.returncode, done.stdout), (2, "same(0, 8): undecided in 0 s\n"))
 
