@@ -20,19 +20,12 @@ Verdict verdict(z3::check_result result) {
   return Verdict::undecided;
 }
 
-void set_timeout(z3::context& context, z3::solver& solver, unsigned timeout_ms) {
-  z3::params parameters(context);
-  parameters.set("timeout", timeout_ms);
-  parameters.set("ctrl_c", false);  // an interrupt is the program's
-  solver.set(parameters);
-}
-
 }  // namespace
 
 struct AxiomSolver::State {
   State(const AxiomSet& axioms, unsigned timeout_ms)
-      : solver(context, z3::solver::simple()), grounder(axioms), vocabulary(context, grounder) {
-    set_timeout(context, solver, timeout_ms);
+      : solver(simple_solver(context)), grounder(axioms), vocabulary(context, grounder) {
+    set_timeout(solver, timeout_ms);
   }
 
   z3::context context;
@@ -97,10 +90,9 @@ class GuardedProblem {
   /// Those of `members` that cannot be satisfied together, minimised; nothing if they can be.
   std::optional<std::vector<std::size_t>> core(std::span<const std::size_t> members,
                                                unsigned timeout_ms) {
-    z3::solver solver(context_, z3::solver::simple());
+    z3::solver solver = simple_solver(context_);
+    set_timeout(solver, timeout_ms);
     z3::params parameters(context_);
-    parameters.set("timeout", timeout_ms);
-    parameters.set("ctrl_c", false);  // an interrupt is the program's
     parameters.set("core.minimize", true);
     solver.set(parameters);
     z3::expr_vector guards(context_);

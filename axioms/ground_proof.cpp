@@ -61,11 +61,8 @@ class WrittenOut {
   /// Numbers of instances, of those given, that cannot be where the sentence fails.
   std::optional<std::vector<std::size_t>> refuted(std::span<const std::size_t> members,
                                                   unsigned timeout_ms) {
-    z3::solver solver(context_, z3::solver::simple());
-    z3::params parameters(context_);
-    parameters.set("timeout", timeout_ms);
-    parameters.set("ctrl_c", false);  // an interrupt is the program's
-    solver.set(parameters);
+    z3::solver solver = simple_solver(context_);
+    set_timeout(solver, timeout_ms);
     for (const z3::expr& formula : apart_) solver.add(formula);
     for (const z3::expr& formula : fails_) solver.add(formula);
     z3::expr_vector guards(context_);

@@ -11,16 +11,10 @@
 namespace asterism {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Sizes = std::map<std::string, std::size_t>;
 
 /// How many elements there may be of a sort that functions make: first few, then more.
 constexpr std::size_t sizes_of_made_sorts[]{2, 4, 8};
-
-unsigned milliseconds_until(Clock::time_point deadline) {
-  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-  return static_cast<unsigned>(std::clamp<long long>(left.count(), 1, 3'600'000));
-}
 
 /// All axioms but one that assertions say.
 std::vector<const Axiom*> assertions_but(const Axiom* one, const AxiomSet& axioms) {
@@ -72,7 +66,7 @@ std::vector<std::string> failure_text(const Axiom& sentence, const AxiomSet& axi
 /// As small as there is one, and if it can be, as usual_sentences() have it.
 std::optional<FiniteModel> model_of(const Axiom& sentence, const AxiomSet& axioms,
                                     const ModelWanted& wanted, std::size_t dstates,
-                                    Clock::time_point deadline) {
+                                    Deadline deadline) {
   const std::vector<Axiom> usual = usual_sentences(axioms);
   ModelWanted usual_wanted = wanted;
   for (const Axiom& other : usual) usual_wanted.hold.push_back(&other);
@@ -91,11 +85,11 @@ std::optional<FiniteModel> model_of(const Axiom& sentence, const AxiomSet& axiom
 }
 
 Independence search(const Axiom& sentence, const AxiomSet& axioms, ModelWanted wanted,
-                    std::size_t dstates, Clock::time_point deadline) {
+                    std::size_t dstates, Deadline deadline) {
   const Axiom turns = turns_are_turns();
   wanted.hold.push_back(&turns);
   Independence result;
-  if (Clock::now() >= deadline) return result;
+  if (is_over(deadline)) return result;
   if (!sentence.by_signature)
     if (auto proof = ground_proof(sentence, axioms, wanted.hold, milliseconds_until(deadline))) {
       result.kind = Independence::Kind::implied;
@@ -112,7 +106,7 @@ Independence search(const Axiom& sentence, const AxiomSet& axioms, ModelWanted w
 
 }  // namespace
 
-Independence independence(const Axiom& axiom, const AxiomSet& axioms, Clock::time_point deadline) {
+Independence independence(const Axiom& axiom, const AxiomSet& axioms, Deadline deadline) {
   ModelWanted wanted{.hold = assertions_but(&axiom, axioms)};
   if (!axiom.by_signature) {
     wanted.fails = &axiom;
@@ -126,13 +120,13 @@ Independence independence(const Axiom& axiom, const AxiomSet& axioms, Clock::tim
 
 Independence independence_from_all(const Axiom& sentence, const AxiomSet& axioms,
                                    const std::vector<std::string>& total, std::size_t dstates,
-                                   Clock::time_point deadline) {
+                                   Deadline deadline) {
   return search(sentence, axioms,
                 {.hold = assertions_but(nullptr, axioms), .fails = &sentence, .total = total},
                 dstates, deadline);
 }
 
-Independence model_with_travel(const AxiomSet& axioms, Clock::time_point deadline) {
+Independence model_with_travel(const AxiomSet& axioms, Deadline deadline) {
   const Axiom no_travel = no_travel_between_places();
   // Two dead ends with a travel between them have four arms.
   const Independence full =

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "axioms/axiom_set.hpp"
 #include "axioms/axiom_solver.hpp"
 #include "axioms/finite_model.hpp"
+#include "core/deadline.hpp"
 
 namespace asterism {
 
@@ -39,20 +39,18 @@ struct Independence {
 /// is no function of one argument is undecided.
 ///
 /// @pre  the axiom is one of the set
-Independence independence(const Axiom& axiom, const AxiomSet& axioms,
-                          std::chrono::steady_clock::time_point deadline);
+Independence independence(const Axiom& axiom, const AxiomSet& axioms, Deadline deadline);
 
 /// Whether the axioms leave it open that a sentence fails, which is none of them.
 /// @param total     relations that are to hold of every dstate of the model, with something
 /// @param dstates   of the model, where the sentence has fewer variables
 Independence independence_from_all(const Axiom& sentence, const AxiomSet& axioms,
                                    const std::vector<std::string>& total, std::size_t dstates,
-                                   std::chrono::steady_clock::time_point deadline);
+                                   Deadline deadline);
 
 /// A model in which a travel leads from one place to another, as far as there can be each dstate
 /// having its view, its next arm and its opposite; or the proof that there is none.
-Independence model_with_travel(const AxiomSet& axioms,
-                               std::chrono::steady_clock::time_point deadline);
+Independence model_with_travel(const AxiomSet& axioms, Deadline deadline);
 
 /// "transitive(q, r, s)": the axiom with its variables bound, in order.
 std::string step_text(const Clash::Step& step);

@@ -7,7 +7,6 @@
 namespace asterism {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Sizes = std::map<std::string, std::size_t>;
 
 constexpr std::size_t max_instances = 200'000;  ///< of one axiom: some seconds of grounding
@@ -20,6 +19,7 @@ class GroundModel {
         sizes_(std::move(sizes)),
         constants_(declared_constants(axioms)),
         solver_(context_, "QF_FD") {
+    ignore_interrupts(solver_);
     for (const auto& [name, function] : axioms_.functions()) {
       std::size_t count = function.result == "Bool" ? 1 : size(function.result);
       for (const std::string& sort : function.arguments) count *= size(sort);
@@ -45,17 +45,10 @@ class GroundModel {
     return true;
   }
 
-  Verdict check(Clock::time_point deadline) {
-    if (Clock::now() >= deadline) return Verdict::undecided;
+  Verdict check(Deadline deadline) {
+    if (is_over(deadline)) return Verdict::undecided;
     // A limit costs a thread for each of many short questions: none is set that would not matter.
-    if (deadline - Clock::now() < std::chrono::hours(1)) {
-      z3::params parameters(context_);
-      const auto left =
-          std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-      parameters.set("timeout", static_cast<unsigned>(std::max<long long>(1, left.count())));
-      parameters.set("ctrl_c", false);  // an interrupt is the program's
-      solver_.set(parameters);
-    }
+    if (seconds_until(deadline) < 3600) set_timeout(solver_, milliseconds_until(deadline));
     switch (solver_.check()) {
       case z3::sat:
         return Verdict::consistent;
@@ -68,7 +61,7 @@ class GroundModel {
   }
 
   /// Drops tuples one by one, as long as some model does without; the last check found one.
-  void drop_tuples(Clock::time_point deadline) {
+  void drop_tuples(Deadline deadline) {
     std::vector<z3::expr> holding;
     const auto keep_only_holding = [&](const z3::model& model, std::vector<z3::expr>& tuples) {
       std::erase_if(tuples, [&](const z3::expr& tuple) {
@@ -301,15 +294,15 @@ class GroundModel {
 };
 
 ModelFound find_of_sizes(const AxiomSet& axioms, const ModelWanted& wanted, const Sizes& sizes,
-                         bool without_tuples, Clock::time_point deadline) {
-  if (Clock::now() >= deadline) return {};
+                         bool without_tuples, Deadline deadline) {
+  if (is_over(deadline)) return {};
   return guarded_z3([&]() -> ModelFound {
     GroundModel ground(axioms, sizes);
     if (!ground.add(wanted)) return {};
     ModelFound result{ground.check(deadline), std::nullopt};
     if (result.verdict != Verdict::consistent || !without_tuples) return result;
     ground.drop_tuples(deadline);
-    if (Clock::now() >= deadline) return {};
+    if (is_over(deadline)) return {};
     result.model = ground.model();
     return result;
   });
@@ -327,7 +320,7 @@ std::map<std::string, std::vector<std::string>> declared_constants(const AxiomSe
 }
 
 ModelFound find_model(const AxiomSet& axioms, const ModelWanted& wanted, Sizes sizes,
-                      Clock::time_point deadline) {
+                      Deadline deadline) {
   ModelFound found = find_of_sizes(axioms, wanted, sizes, false, deadline);
   if (found.verdict != Verdict::consistent) return found;
   const auto constants = declared_constants(axioms);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <map>
 #include <optional>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include "axioms/axiom_set.hpp"
 #include "axioms/finite_model.hpp"
+#include "core/deadline.hpp"
 #include "core/verdict.hpp"
 
 namespace asterism {
@@ -36,8 +36,7 @@ struct ModelFound {
 /// @param sizes  elements of each sort to begin with: at least one, and one a constant named apart
 /// @return  undecided past the deadline, or where there is too much to ground
 ModelFound find_model(const AxiomSet& axioms, const ModelWanted& wanted,
-                      std::map<std::string, std::size_t> sizes,
-                      std::chrono::steady_clock::time_point deadline);
+                      std::map<std::string, std::size_t> sizes, Deadline deadline);
 
 /// The constants of each sort that the set declares.
 std::map<std::string, std::vector<std::string>> declared_constants(const AxiomSet& axioms);

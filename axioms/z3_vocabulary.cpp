@@ -7,6 +7,18 @@ constexpr std::size_t max_instances_an_axiom = 1 << 18;
 
 }  // namespace
 
+void ignore_interrupts(z3::solver& solver) {
+  z3::params parameters(solver.ctx());
+  parameters.set("ctrl_c", false);
+  solver.set(parameters);
+}
+
+void set_timeout(z3::solver& solver, unsigned timeout_ms) {
+  z3::params parameters(solver.ctx());
+  parameters.set("timeout", timeout_ms);
+  solver.set(parameters);
+}
+
 std::size_t Z3Vocabulary::KeyHash::operator()(const std::vector<Grounder::TermId>& key) const {
   std::size_t hash = key.size();
   for (const Grounder::TermId id : key) hash = (hash ^ id) * 0x9e3779b97f4a7c15u;

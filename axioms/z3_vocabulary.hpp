@@ -23,6 +23,19 @@ auto guarded_z3(F&& f) {
   }
 }
 
+/// Leaves interrupts to the program: Z3 would take each for the end of one question.
+void ignore_interrupts(z3::solver& solver);
+
+/// One for many short questions without quantifiers.
+inline z3::solver simple_solver(z3::context& context) {
+  z3::solver solver(context, z3::solver::simple());
+  ignore_interrupts(solver);
+  return solver;
+}
+
+/// For each question from now on.
+void set_timeout(z3::solver& solver, unsigned timeout_ms);
+
 /// Ground atoms and instances as Z3 expressions.
 class Z3Vocabulary {
  public:

@@ -8,6 +8,7 @@
 #include "benchmarks/measure.hpp"
 #include "benchmarks/z3_models.hpp"
 #include "engine/certify.hpp"
+#include "engine/minimal_models.hpp"
 
 namespace asterism {
 namespace {
@@ -47,14 +48,6 @@ double add_online_row(Report& report, const Scale& scale, const KnownCase& known
                   duration_text(online.all.wall_s), duration_text(online.slowest_s),
                   bytes_text(online.tree_bytes_each), bytes_text(online.peak_bytes_each)});
   return map_s;
-}
-
-std::vector<std::vector<Arrival>> minimal_models(const MapTree& tree) {
-  std::vector<std::vector<Arrival>> models;
-  tree.for_each(tree.minimal(), [&](HypothesisId, std::span<const Arrival> arrivals) {
-    models.emplace_back(arrivals.begin(), arrivals.end());
-  });
-  return models;
 }
 
 std::string certification_time(const Trace& trace, bool planar) {

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <iostream>
 
 #include "cli/explanation_text.hpp"
 #include "cli/map_parts.hpp"
-#include "cli/progress.hpp"
 #include "cli/query_parts.hpp"
+#include "core/deadline.hpp"
 #include "engine/query_reader.hpp"
 #include "io/atomic_file.hpp"
 #include "io/trace_file.hpp"
@@ -16,19 +15,19 @@ namespace {
 
 /// Why no minimal model makes the claim true, or none makes it false; nothing if some do both.
 void explain_by_preference(const ExplainCommand& command, const Trace& trace,
-                           const AxiomSet& axioms, ExplainReport& report, Countdown time) {
-  const Claim contrary{Claim::Not{{report.query.claim}}};
-  const auto best_with = [&](const Claim* claim) {
-    MapProblem problem(trace, axioms, time.seconds_left());
-    std::vector<Premise> premises = problem.premises(command.map.options.planar);
-    for (const Assumption& assumption : command.map.options.assumptions)
-      premises.push_back(problem.add(claim_of(assumption)));
-    if (claim != nullptr) premises.push_back(problem.add(*claim));
-    return find_optimum(problem, trace, axioms, std::move(premises));
+                           const AxiomSet& axioms, ExplainReport& report, Deadline deadline) {
+  MapProblem problem(trace, axioms, seconds_until(deadline));
+  std::vector<Premise> premises = problem.premises(command.map.options.planar);
+  for (const Assumption& assumption : command.map.options.assumptions)
+    premises.push_back(problem.add(claim_of(assumption)));
+  const auto best_with = [&](const Claim& claim) {
+    std::vector<Premise> with_claim = premises;
+    with_claim.push_back(problem.add(claim));
+    return find_optimum(problem, trace, axioms, std::move(with_claim));
   };
-  const Optimum best = best_with(nullptr);
-  const Optimum holding = best_with(&report.query.claim);
-  const Optimum failing = best_with(&contrary);
+  const Optimum best = find_optimum(problem, trace, axioms, premises);
+  const Optimum holding = best_with(report.query.claim);
+  const Optimum failing = best_with({Claim::Not{{report.query.claim}}});
   for (const Optimum* optimum : {&best, &holding, &failing})
     if (optimum->verdict != Verdict::consistent) {
       report.modality.reset();
@@ -44,13 +43,14 @@ void explain_by_preference(const ExplainCommand& command, const Trace& trace,
 
 void find_reasons(const ExplainCommand& command, const Trace& trace, const AxiomSet& axioms,
                   ExplainReport& report) {
-  const Countdown time(command.map.options.time_limit_s.value_or(default_explain_s));
+  const Deadline deadline =
+      deadline_in(command.map.options.time_limit_s.value_or(default_explain_s));
   const auto reason_of = [&](const Claim& claim) {
     std::vector<Claim> claims;
     for (const Assumption& assumption : command.map.options.assumptions)
       claims.push_back(claim_of(assumption));
     claims.push_back(claim);
-    return explain(trace, axioms, command.map.options.planar, claims, time.seconds_left());
+    return explain(trace, axioms, command.map.options.planar, claims, seconds_until(deadline));
   };
   Reason holds = reason_of(report.query.claim);
   if (holds.verdict == Verdict::undecided) return;
@@ -69,7 +69,7 @@ void find_reasons(const ExplainCommand& command, const Trace& trace, const Axiom
   }
   report.modality = Modality::possible;
   report.counterexample = whole(fails.map);
-  if (command.only_minimal) explain_by_preference(command, trace, axioms, report, time);
+  if (command.only_minimal) explain_by_preference(command, trace, axioms, report, deadline);
 }
 
 }  // namespace

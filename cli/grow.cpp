@@ -10,28 +10,12 @@
 
 #include "cli/map_parts.hpp"
 #include "engine/certify.hpp"
+#include "engine/minimal_models.hpp"
 
 namespace asterism {
 namespace {
 
 constexpr std::uint64_t most_maps_in_chart = 10'000'000;
-
-std::vector<std::vector<Arrival>> minimal_models(const MapTree& tree) {
-  std::vector<std::vector<Arrival>> models;
-  tree.for_each(tree.minimal(), [&](HypothesisId, std::span<const Arrival> arrivals) {
-    models.emplace_back(arrivals.begin(), arrivals.end());
-  });
-  const auto key = [](const std::vector<Arrival>& model) {
-    std::pair<std::vector<PlaceId>, std::vector<std::optional<std::size_t>>> result;
-    for (const auto& [place, entered] : model) {
-      result.first.push_back(place);
-      result.second.push_back(entered);
-    }
-    return result;
-  };
-  std::ranges::sort(models, {}, key);
-  return models;
-}
 
 }  // namespace
 

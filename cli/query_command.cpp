@@ -202,8 +202,9 @@ int query_command(const QueryCommand& given) {
   if (command.by_solver) {
     progress.grown("asking the solver");
     ask_solver(command, trace, axioms, report);
-  } else
+  } else {
     find_answers(command, trace, tree, progress, report);
+  }
 
   const auto write = [&](std::ostream& out) { write_json(out, command, trace, tree, report); };
   if (command.map.json == "-") {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -41,19 +40,5 @@ std::string map_json(const std::optional<std::vector<Arrival>>& map);
 
 /// A map of all visits.
 std::vector<Arrival> whole(const PartialMap& map);
-
-/// The time that is left.
-class Countdown {
- public:
-  explicit Countdown(double seconds) : seconds_(seconds) {}
-  double seconds_left() const {
-    return seconds_ - std::chrono::duration<double>(Clock::now() - begin_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double seconds_;
-  Clock::time_point begin_ = Clock::now();
-};
 
 }  // namespace asterism

@@ -8,8 +8,6 @@
 namespace asterism {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Names of axioms of one set that the other does not have. What the signature says is said by any
 /// set, with or without a comment.
 std::vector<std::string> names_missing(const AxiomSet& axioms, const AxiomSet& other) {
@@ -27,7 +25,7 @@ MapTree::Growth grow(MapTree& one, MapTree& other, const Visit& visit) {
 /// One trace under both, visit by visit.
 class Change {
  public:
-  Change(const AxiomSet& ours, Clock::time_point deadline)
+  Change(const AxiomSet& ours, Deadline deadline)
       : axioms_(ours),
         deadline_(deadline),
         check_(ours.is_shipped() ? Check::native : Check::solver) {}
@@ -75,14 +73,14 @@ class Change {
 
  private:
   const AxiomSet& axioms_;
-  Clock::time_point deadline_;
+  Deadline deadline_;
   Check check_;
 };
 
 }  // namespace
 
 ChangeFinding compare_with_shipped(const AxiomSet& axioms, std::span<const Trace> traces,
-                                   Clock::time_point deadline,
+                                   Deadline deadline,
                                    const std::function<void(std::size_t)>& progress) {
   const AxiomSet shipped = AxiomSet::shipped();
   ChangeFinding found;

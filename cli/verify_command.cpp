@@ -37,16 +37,10 @@ class TracesDone {
   Clock::time_point told_ = Clock::now();
 };
 
-Clock::time_point deadline_of(const VerifyCommand& command) {
-  const double seconds = std::min(command.time_limit_s.value_or(1e8), 1e8);  // three years
-  return Clock::now() +
-         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-}
-
 /// Every axiom of the set; of the shipped set also the optional ones that are off, each put to it
 /// alone.
 std::vector<AxiomFinding> findings_of(const VerifyCommand& command, const AxiomSet& axioms,
-                                      Clock::time_point deadline) {
+                                      Deadline deadline) {
   std::vector<AxiomFinding> result;
   for (const Axiom& axiom : axioms.axioms())
     result.push_back({axiom, false, independence(axiom, axioms, deadline)});
@@ -74,7 +68,7 @@ std::vector<Trace> traces_of(const VerifyCommand& command) {
 int verify_command(const VerifyCommand& command) {
   const AxiomSet axioms = command.axioms.read();
   std::vector<Trace> traces = traces_of(command);
-  const Clock::time_point deadline = deadline_of(command);
+  const Deadline deadline = deadline_in(command.time_limit_s.value_or(1e8));
   StageTimes done;
 
   VerifyReport report;

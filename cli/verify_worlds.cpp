@@ -18,8 +18,6 @@
 namespace asterism {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Of a trace; without some axioms there are more.
 constexpr std::uint64_t max_hypotheses = 1000;
 constexpr double certify_s = 10;  ///< for one trace; tens of milliseconds are used
@@ -38,8 +36,7 @@ World random_world(std::uint64_t seed, RandomEngine& engine) {
 }
 
 LeastClosure closure_of(const AxiomSet& axioms, const Trace& trace, const Association& map) {
-  ArmTable table;
-  for (const Visit& visit : trace.visits) table.append(visit);
+  const ArmTable table(trace);
   const std::vector<ArmIndex> named = table.named(map);
   std::vector<Fact> facts = general_facts();
   for (std::size_t k = 0; k < named.size(); ++k)
@@ -61,7 +58,7 @@ std::string places_text(const Association& map) {
 /// Everything that is compared on traces, up to the first difference.
 class Engines {
  public:
-  Engines(const AxiomSet& axioms, Clock::time_point deadline)
+  Engines(const AxiomSet& axioms, Deadline deadline)
       : axioms_(axioms),
         deadline_(deadline),
         is_shipped_(axioms.is_shipped()),
@@ -160,7 +157,7 @@ class Engines {
 
   /// The map's extents, and the closed form of |path|, against the least closure.   [DESIGN §6]
   bool count(const Trace& trace, const Association& association) {
-    if (Clock::now() >= deadline_) return stop(by_time_limit);
+    if (is_over(deadline_)) return stop(by_time_limit);
     const TopologicalMap map = make_map(trace, association);
     const LeastClosure closure = closure_of(axioms_, trace, association);
     const LeastClosure::Extents told{map.paths.size(), map.places.size(), map.segments.size()};
@@ -189,7 +186,7 @@ class Engines {
     tree.for_each(tree.minimal(), [&](HypothesisId, std::span<const Arrival> arrivals) {
       models.emplace_back(arrivals.begin(), arrivals.end());
     });
-    const double left_s = std::chrono::duration<double>(deadline_ - Clock::now()).count();
+    const double left_s = seconds_until(deadline_);
     switch (certify(tree.trace(), axioms_, planar, models, std::clamp(left_s, 0.0, certify_s))) {
       case Certificate::shown:
         ++found_.certified;
@@ -204,7 +201,7 @@ class Engines {
   }
 
   const AxiomSet& axioms_;
-  Clock::time_point deadline_;
+  Deadline deadline_;
   bool is_shipped_;
   bool has_closure_;
   EnginesFinding found_;
@@ -213,12 +210,12 @@ class Engines {
 }  // namespace
 
 MapTree::Options verify_tree_options(const AxiomSet& axioms, Check check, bool planar,
-                                     Clock::time_point deadline) {
+                                     Deadline deadline) {
   return {.planar = planar,
           .check = check,
           .axioms = axioms,
           .max_hypotheses = max_hypotheses,
-          .go_on = [=](auto, auto) { return Clock::now() < deadline; }};
+          .go_on = [=](auto, auto) { return !is_over(deadline); }};
 }
 
 std::vector<Association> associations_of(const MapTree& tree) {
@@ -250,7 +247,7 @@ Trace ring_trace() {
 }
 
 EnginesFinding compare_engines(const AxiomSet& axioms, std::span<const Trace> traces,
-                               Clock::time_point deadline,
+                               Deadline deadline,
                                const std::function<void(std::size_t)>& progress) {
   Engines engines(axioms, deadline);
   for (std::size_t i = 0; i < traces.size() && engines.take(traces[i]); ++i) progress(i + 1);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
 #include "cli/verify_report.hpp"
+#include "core/deadline.hpp"
 #include "engine/map_tree.hpp"
 
 namespace asterism {
@@ -17,7 +17,7 @@ inline constexpr const char* by_time_limit = "time limit";
 
 /// Trees that stop at the deadline, and where there are more maps than can be compared.
 MapTree::Options verify_tree_options(const AxiomSet& axioms, Check check, bool planar,
-                                     std::chrono::steady_clock::time_point deadline);
+                                     Deadline deadline);
 
 /// The hypotheses of a tree, sorted.
 std::vector<Association> associations_of(const MapTree& tree);
@@ -33,12 +33,11 @@ Trace ring_trace();
 /// least closure of the axioms, and has minimal models certified. Ends at the first difference.
 /// @param progress  told how many traces are done
 EnginesFinding compare_engines(const AxiomSet& axioms, std::span<const Trace> traces,
-                               std::chrono::steady_clock::time_point deadline,
-                               const std::function<void(std::size_t)>& progress);
+                               Deadline deadline, const std::function<void(std::size_t)>& progress);
 
 /// Compares what axioms say, and which hypotheses of the traces they leave, with the shipped ones.
 ChangeFinding compare_with_shipped(const AxiomSet& axioms, std::span<const Trace> traces,
-                                   std::chrono::steady_clock::time_point deadline,
+                                   Deadline deadline,
                                    const std::function<void(std::size_t)>& progress);
 
 }  // namespace asterism

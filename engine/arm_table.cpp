@@ -13,6 +13,10 @@ constexpr std::size_t max_visits = 20'000;
 
 }  // namespace
 
+ArmTable::ArmTable(const Trace& trace, std::size_t visits) {
+  for (std::size_t k = 0; k < visits; ++k) append(trace.visits.at(k));
+}
+
 void ArmTable::append(const Visit& visit) {
   const std::size_t k = visits();
   const std::string where = "visit " + std::to_string(k);

@@ -18,6 +18,12 @@ using ArmIndex = std::uint32_t;
 /// the arm the robot came in by, which is an arm of the visit's own star if the place is new.
 class ArmTable {
  public:
+  ArmTable() = default;
+  /// Of all visits of a trace.  @throws as append()
+  explicit ArmTable(const Trace& trace) : ArmTable(trace, trace.visits.size()) {}
+  /// Of its first visits.
+  ArmTable(const Trace& trace, std::size_t visits);
+
   /// @throws std::invalid_argument if the visit lacks an arm it needs, or follows one not left
   /// @throws Error                 if there are more visits or arms than the engine can number
   void append(const Visit& visit);

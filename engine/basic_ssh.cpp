@@ -8,12 +8,6 @@
 namespace asterism {
 namespace {
 
-ArmTable table_of(const Trace& trace) {
-  ArmTable table;
-  for (const Visit& visit : trace.visits) table.append(visit);
-  return table;
-}
-
 /// The arms faced at a visit, one after the other, if it was entered by this arm: of its own star,
 /// or of that of the place it was to.
 std::vector<ArmIndex> faced(const ArmTable& table, std::size_t k, ArmIndex entered) {
@@ -37,7 +31,7 @@ Action turn(const ArmTable& table, ArmIndex from, ArmIndex to) {
 }  // namespace
 
 Experience basic_ssh(const Trace& trace) {
-  const ArmTable table = table_of(trace);
+  const ArmTable table(trace);
   Experience result{.name = trace.name, .views = {}, .actions = {}};
   for (std::size_t k = 0; k < table.visits(); ++k) {
     if (k > 0) result.actions.push_back({Action::Kind::travel});
@@ -51,7 +45,7 @@ Experience basic_ssh(const Trace& trace) {
 }
 
 std::vector<DStateId> basic_ssh_dstates(const Trace& trace, std::span<const Arrival> hypothesis) {
-  const ArmTable table = table_of(trace);
+  const ArmTable table(trace);
   const std::vector<ArmIndex> named = table.named(hypothesis);
   std::map<ArmIndex, DStateId> known;
   std::vector<DStateId> result;

@@ -1,10 +1,10 @@
 #include "engine/certify.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 #include "axioms/axiom_solver.hpp"
+#include "core/deadline.hpp"
 #include "engine/arm_table.hpp"
 #include "engine/facts.hpp"
 #include "engine/map_problem.hpp"
@@ -14,19 +14,12 @@
 namespace asterism {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-unsigned milliseconds_until(Clock::time_point deadline) {
-  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-  return left.count() < 1 ? 1U : static_cast<unsigned>(left.count());
-}
-
 Verdict check_model(const ArmTable& table, const AxiomSet& axioms, std::span<const ArmIndex> named,
-                    Clock::time_point deadline) {
+                    Deadline deadline) {
   AxiomSolver solver(axioms, milliseconds_until(deadline));
   solver.add(general_facts());
   for (std::size_t k = 0; k < named.size(); ++k) {
-    if (Clock::now() > deadline) return Verdict::undecided;
+    if (is_over(deadline)) return Verdict::undecided;
     solver.add(visit_facts(table, named.first(k + 1)));
   }
   return solver.check();
@@ -34,8 +27,8 @@ Verdict check_model(const ArmTable& table, const AxiomSet& axioms, std::span<con
 
 Verdict exists_preferred(const Trace& trace, const AxiomSet& axioms, bool planar,
                          std::span<const Assumption> assumptions,
-                         const std::vector<std::size_t>& best, Clock::time_point deadline) {
-  MapProblem problem(trace, axioms, 1e-3 * milliseconds_until(deadline));
+                         const std::vector<std::size_t>& best, Deadline deadline) {
+  MapProblem problem(trace, axioms, seconds_until(deadline));
   std::vector<Premise> premises = problem.premises(planar);
   for (const Assumption& assumption : assumptions)
     premises.push_back(problem.add(claim_of(assumption)));
@@ -48,10 +41,8 @@ Verdict exists_preferred(const Trace& trace, const AxiomSet& axioms, bool planar
 Certificate certify(const Trace& trace, const AxiomSet& axioms, bool planar,
                     std::span<const std::vector<Arrival>> models, double seconds,
                     std::span<const Assumption> assumptions) {
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(std::min(seconds, 1e6)));
-  ArmTable table;
-  for (const Visit& visit : trace.visits) table.append(visit);
+  const Deadline deadline = deadline_in(seconds);
+  const ArmTable table(trace);
 
   std::optional<std::vector<std::size_t>> best;
   for (const auto& model : models) {

@@ -9,12 +9,9 @@
 
 #include "core/star.hpp"
 #include "engine/map_tree.hpp"
+#include "engine/turns.hpp"
 
 namespace asterism {
-
-/// A row of travels to come. Each number is how many arms clockwise of the one come in by the robot
-/// leaves a place, so 0 leads back; at a first visit that does not say, of the star's first arm.
-using Turns = std::vector<std::size_t>;
 
 /// What a robot may see where a travel ends, and how many maps would then explain the trace.
 struct Outlook {

@@ -18,12 +18,6 @@ struct Problem {
   std::size_t general = 0;
 };
 
-ArmTable table_of(const Trace& trace, std::size_t visits) {
-  ArmTable table;
-  for (std::size_t k = 0; k < visits; ++k) table.append(trace.visits.at(k));
-  return table;
-}
-
 Problem problem_of(const ArmTable& table, std::span<const Arrival> hypothesis) {
   Problem problem;
   problem.facts = general_facts();
@@ -51,7 +45,7 @@ Refutation not_planar(std::span<const Arrival> child, const TopologicalMap& map)
 std::optional<Refutation> explain_dropped(const Trace& trace, std::span<const Arrival> child,
                                           const AxiomSet& axioms, bool planar,
                                           unsigned timeout_ms) {
-  const ArmTable table = table_of(trace, child.size());
+  const ArmTable table(trace, child.size());
   const Problem problem = problem_of(table, child);
   const auto clash = find_clash(axioms, problem.facts, problem.general, timeout_ms);
   if (!clash) {
@@ -88,7 +82,7 @@ std::optional<Refutation> explain_dropped(const Trace& trace, std::span<const Ar
 
 std::string smt2_text(const Trace& trace, std::span<const Arrival> hypothesis,
                       const AxiomSet& axioms) {
-  const ArmTable table = table_of(trace, hypothesis.size());
+  const ArmTable table(trace, hypothesis.size());
   std::string title = "Trace " + trace.name + ": visits at places";
   for (const Arrival& arrival : hypothesis) title += " " + std::to_string(arrival.place.index());
   std::replace_if(

@@ -1,17 +1,14 @@
 #include "engine/explanation.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
-#include <set>
 #include <stdexcept>
 
+#include "core/deadline.hpp"
 #include "planarity/euler.hpp"
 
 namespace asterism {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Premises in the order in which they are tried to be spared.
 std::vector<Premise> by_importance(std::vector<Premise> premises) {
@@ -78,33 +75,6 @@ std::optional<std::vector<Explanation::Member>> confirm(MapProblem& fresh,
   return members;
 }
 
-/// A sketch of the map: places and segments, as far as told of.
-struct Sketch {
-  TopologicalMap map;
-  std::optional<TopologicalMap::Segment> last;  ///< travelled last, if there was none there yet
-};
-
-Sketch sketch_of(const Trace& trace, std::span<const std::optional<Arrival>> map) {
-  Sketch sketch;
-  std::set<TopologicalMap::Segment> segments;
-  for (std::size_t k = 0; k < map.size(); ++k) {
-    sketch.last.reset();
-    if (!map[k]) continue;
-    if (map[k]->place.index() == sketch.map.places.size())
-      sketch.map.places.push_back({trace.visits[k].star, VisitId(k)});
-    if (k == 0 || !map[k - 1]) continue;
-    const Visit& before = trace.visits[k - 1];
-    const Star& star = sketch.map.places[map[k - 1]->place.index()].star;
-    const std::size_t left =
-        map[k - 1]->entered ? left_arm(before, star, *map[k - 1]->entered) : *before.left_by;
-    const PlaceArm from{map[k - 1]->place, left};
-    const PlaceArm to{map[k]->place, *map[k]->entered};
-    if (segments.insert(std::minmax(from, to)).second) sketch.last = {from, to};
-  }
-  sketch.map.segments.assign(segments.begin(), segments.end());
-  return sketch;
-}
-
 /// The face that a gateway without a segment opens into.
 std::vector<PlaceArm> face_of(const TopologicalMap& map, PlaceArm open) {
   const Star& star = map.places[open.place.index()].star;
@@ -157,10 +127,7 @@ std::optional<Crossing> find_crossing(const Trace& trace, const PartialMap& map)
 
 Reason explain(const Trace& trace, const AxiomSet& axioms, bool planar,
                std::span<const Claim> claims, double seconds) {
-  const auto begun = Clock::now();
-  const auto seconds_left = [&] {
-    return seconds - std::chrono::duration<double>(Clock::now() - begun).count();
-  };
+  const Deadline deadline = deadline_in(seconds);
   MapProblem problem(trace, axioms, seconds);
   std::vector<Premise> premises = problem.premises(planar);
   for (const Claim& claim : claims) premises.push_back(problem.add(claim));
@@ -171,7 +138,7 @@ Reason explain(const Trace& trace, const AxiomSet& axioms, bool planar,
   const auto core = minimise(problem, {problem.core().begin(), problem.core().end()});
   if (!core) return {Verdict::undecided, {}, {}};
 
-  MapProblem fresh(trace, axioms, seconds_left());
+  MapProblem fresh(trace, axioms, seconds_until(deadline));
   for (const Claim& claim : claims) fresh.add(claim);
   auto members = confirm(fresh, *core);
   if (!members) return {Verdict::undecided, {}, {}};

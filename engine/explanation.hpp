@@ -13,9 +13,6 @@
 
 namespace asterism {
 
-/// A map of some visits; nothing for the others.
-using PartialMap = std::vector<std::optional<Arrival>>;
-
 /// How a map cannot be drawn: a travel leaves into a face and would have to come in from another.
 struct Crossing {
   VisitId visit;  ///< where the travel ends

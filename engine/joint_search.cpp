@@ -46,14 +46,14 @@ bool JointSearch::go_on(std::size_t reached, std::size_t turn, std::size_t most_
   return true;
 }
 
-std::vector<std::size_t> JointSearch::route_to(std::size_t reached) const {
-  std::vector<std::size_t> route;
+Turns JointSearch::route_to(std::size_t reached) const {
+  Turns route;
   for (; reached > 0; reached = reached_[reached].before) route.push_back(reached_[reached].turn);
   std::ranges::reverse(route);
   return route;
 }
 
-std::optional<std::vector<std::size_t>> JointSearch::shortest(std::size_t most_travels) {
+std::optional<Turns> JointSearch::shortest(std::size_t most_travels) {
   // Breadth-first over where the robot stands in all maps at once, the least turn first. Two ways
   // that come to the same arms in every map go on alike, so the first of them does.
   reached_.assign(1, {0, 0, 0});

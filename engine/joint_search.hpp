@@ -21,7 +21,7 @@ class JointSearch {
 
   /// Of the shortest routes that are certain in all maps added, the first by turns; nothing if
   /// there is none of so few travels, or gave_up().
-  std::optional<std::vector<std::size_t>> shortest(std::size_t most_travels);
+  std::optional<Turns> shortest(std::size_t most_travels);
   /// Travels or room ran out: what there is, is not known.
   bool gave_up() const { return gave_up_; }
 
@@ -38,7 +38,7 @@ class JointSearch {
   }
   bool is_goal(std::size_t reached) const;
   bool go_on(std::size_t reached, std::size_t turn, std::size_t most_travels);
-  std::vector<std::size_t> route_to(std::size_t reached) const;
+  Turns route_to(std::size_t reached) const;
 
   std::size_t from_;
   std::size_t to_;

@@ -1,12 +1,11 @@
 #include "engine/map_problem.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <set>
 
 #include "axioms/z3_vocabulary.hpp"
-#include "core/error.hpp"
+#include "core/deadline.hpp"
 #include "engine/claim_circuit.hpp"
 #include "engine/facts.hpp"
 #include "engine/free_association.hpp"
@@ -15,14 +14,6 @@
 
 namespace asterism {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-ArmTable table_of(const Trace& trace) {
-  ArmTable table;
-  for (const Visit& visit : trace.visits) table.append(visit);
-  return table;
-}
 
 /// Whether a map without some visits says the same of it: what it says of which visits were to one
 /// place stays, and so does what it says of visits that are left out, since that is free.
@@ -51,10 +42,10 @@ void collect_visits(const Claim& claim, std::set<std::size_t>& visits) {
 
 class MapProblem::State {
  public:
-  State(const Trace& trace, const AxiomSet& axioms, Clock::time_point deadline)
+  State(const Trace& trace, const AxiomSet& axioms, Deadline deadline)
       : deadline_(deadline),
-        table_(table_of(trace)),
-        solver_(context_, z3::solver::simple()),
+        table_(trace),
+        solver_(simple_solver(context_)),
         grounder_(axioms),
         vocabulary_(context_, grounder_),
         association_(context_, solver_, table_),
@@ -63,6 +54,9 @@ class MapProblem::State {
         is_shipped_(axioms.is_shipped()) {
     for (const Axiom& axiom : grounder_.axioms().axioms())
       axioms_.push_back(context_.bool_const(("axiom_" + axiom.name).c_str()));
+    z3::params parameters(context_);
+    parameters.set("relevancy", 0U);  // what is told says what is relevant: half the time
+    solver_.set(parameters);
     ground(general_facts(), context_.bool_val(true));
   }
 
@@ -99,8 +93,8 @@ class MapProblem::State {
 
   std::span<const Premise> core() const { return core_; }
 
-  std::vector<std::optional<Arrival>> map() const {
-    std::vector<std::optional<Arrival>> result(named_.size());
+  PartialMap map() const {
+    PartialMap result(named_.size());
     std::map<std::size_t, PlaceId> places;  // by first visit
     for (std::size_t k = 0; k < named_.size(); ++k) {
       if (named_[k] == FreeAssociation::untold) continue;
@@ -171,7 +165,7 @@ class MapProblem::State {
       else
         prepare(k);
     while (!out_of_time()) {
-      set_timeout();
+      set_timeout(solver_, milliseconds_until(deadline_));
       const z3::check_result result = solver_.check(assumptions);
       if (result == z3::unknown) return Verdict::undecided;
       if (result == z3::unsat) {
@@ -192,12 +186,7 @@ class MapProblem::State {
     return Verdict::undecided;
   }
 
-  bool out_of_time() const { return Clock::now() >= deadline_; }
-  unsigned milliseconds_left() const {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now());
-    return static_cast<unsigned>(std::clamp<long long>(left.count(), 1, 1'000'000'000));
-  }
+  bool out_of_time() const { return is_over(deadline_); }
 
   /// What holds wherever a visit that is told of was. Cut short, it is not asked: check() finds
   /// itself out of time as well.
@@ -215,14 +204,6 @@ class MapProblem::State {
           ground(std::span(facts).first(1), association_.at(visit, arm));  // what was seen there
         }
     }
-  }
-
-  void set_timeout() {
-    z3::params parameters(context_);
-    parameters.set("timeout", milliseconds_left());
-    parameters.set("ctrl_c", false);  // an interrupt is the program's
-    parameters.set("relevancy", 0U);  // what is told says what is relevant: half the time
-    solver_.set(parameters);
   }
 
   z3::expr literal(const Premise& premise) const {
@@ -285,33 +266,11 @@ class MapProblem::State {
     return any || out_of_time();
   }
 
-  /// The places and segments of what is told of, without the rest of a map.
-  TopologicalMap sketch(std::map<PlaceId, std::size_t>& first_visit) const {
-    const auto arrivals = map();
-    TopologicalMap sketch;
-    std::set<TopologicalMap::Segment> segments;
-    for (std::size_t k = 0; k < named_.size(); ++k) {
-      if (!is_told(k)) continue;
-      if (table_.visit_of(named_[k]) == k) {
-        first_visit.emplace(arrivals[k]->place, k);
-        sketch.places.push_back({table_.trace().visits[k].star, VisitId(k)});
-      }
-      if (k == 0 || !is_told(k - 1)) continue;
-      const ArmIndex left = table_.left(k - 1, named_[k - 1]);
-      const PlaceArm from{arrivals[k - 1]->place, left - table_.first_arm(table_.visit_of(left))};
-      const PlaceArm to{arrivals[k]->place, *arrivals[k]->entered};
-      segments.insert(std::minmax(from, to));
-    }
-    sketch.segments.assign(segments.begin(), segments.end());
-    return sketch;
-  }
-
   bool rule_out_crossing(const std::set<Premise>& in_force) {
     if (!in_force.contains({Premise::Kind::planarity})) return false;
-    std::map<PlaceId, std::size_t> first_visit;
-    const auto part = part_not_planar(this->sketch(first_visit));
+    auto part = part_not_planar(sketch_of(table_.trace(), map()).map);
     if (!part) return false;
-    TopologicalMap sketch = *part;
+    TopologicalMap sketch = *std::move(part);
     // The fewest segments: what is left is not planar, and is without any one of them.
     for (std::size_t i = 0; i < sketch.segments.size();) {
       TopologicalMap without = sketch;
@@ -324,7 +283,8 @@ class MapProblem::State {
     z3::expr_vector segments(context_);
     for (const auto& [one, other] : sketch.segments) {
       const auto arm = [&](const PlaceArm& gateway) {
-        return static_cast<ArmIndex>(table_.first_arm(first_visit.at(gateway.place)) + gateway.arm);
+        const VisitId first = sketch.places[gateway.place.index()].first_visit;
+        return static_cast<ArmIndex>(table_.first_arm(first.index()) + gateway.arm);
       };
       segments.push_back(association_.linked(arm(one), arm(other)));
     }
@@ -350,7 +310,7 @@ class MapProblem::State {
     return false;
   }
 
-  Clock::time_point deadline_;
+  Deadline deadline_;
   ArmTable table_;
   z3::context context_;
   z3::solver solver_;
@@ -372,9 +332,7 @@ class MapProblem::State {
 };
 
 MapProblem::MapProblem(const Trace& trace, const AxiomSet& axioms, double seconds) {
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(std::min(seconds, 1e6)));
-  state_ = guarded_z3([&] { return std::make_unique<State>(trace, axioms, deadline); });
+  state_ = guarded_z3([&] { return std::make_unique<State>(trace, axioms, deadline_in(seconds)); });
 }
 MapProblem::~MapProblem() = default;
 MapProblem::MapProblem(MapProblem&&) noexcept = default;
@@ -392,6 +350,6 @@ Verdict MapProblem::check(std::span<const Premise> premises) {
 
 std::span<const Premise> MapProblem::core() const { return state_->core(); }
 
-std::vector<std::optional<Arrival>> MapProblem::map() const { return state_->map(); }
+PartialMap MapProblem::map() const { return state_->map(); }
 
 }  // namespace asterism

@@ -12,6 +12,7 @@
 #include "core/trace.hpp"
 #include "core/verdict.hpp"
 #include "engine/query.hpp"
+#include "engine/sketch.hpp"
 
 namespace asterism {
 
@@ -54,7 +55,7 @@ class MapProblem {
   std::span<const Premise> core() const;
   /// After *consistent*: where each visit was, nothing where it was not told of. Places are
   /// numbered by the first visit told of.
-  std::vector<std::optional<Arrival>> map() const;
+  PartialMap map() const;
 
  private:
   class State;

@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "core/error.hpp"
+#include "engine/minimal_models.hpp"
 #include "engine/query_map.hpp"
 #include "engine/query_reader.hpp"
 
@@ -110,16 +111,6 @@ class Asking {
 
 }  // namespace
 
-bool is_before(std::span<const Arrival> one, std::span<const Arrival> other) {
-  for (const auto part : {true, false})
-    for (std::size_t k = 0; k < one.size(); ++k) {
-      const auto order =
-          part ? one[k].place <=> other[k].place : one[k].entered <=> other[k].entered;
-      if (order != 0) return order < 0;
-    }
-  return false;
-}
-
 void require_visits(std::string_view text, std::span<const Query::Mention> mentions,
                     const Trace& trace, std::string_view kind) {
   for (const auto& [visit, at, must_be_left] : mentions) {
@@ -138,10 +129,6 @@ void require_visits(std::string_view text, std::span<const Query::Mention> menti
 Claim claim_of(const Assumption& assumption) {
   const Claim same{Claim::Same{assumption.one, assumption.other}};
   return assumption.kind == Assumption::Kind::same ? same : Claim{Claim::Not{{same}}};
-}
-
-void require_visits(const StatedAssumption& stated, const Trace& trace) {
-  require_visits(stated.text, stated.mentions, trace, "assumption");
 }
 
 bool holds(const Claim& claim, QueryMap& map) {

@@ -64,6 +64,7 @@ struct Claim {
   std::variant<All, Any, Not, Same, Adjacent, On, OnPath, Order, SamePath, Comparison> is;
 };
 
+/// What is assumed, as a claim.
 Claim claim_of(const Assumption& assumption);
 
 /// A question about the maps of a trace, as read from its text.
@@ -81,8 +82,7 @@ struct Query {
 };
 
 /// @throws InputError if the query names a visit that the trace does not have, or asks by which
-/// path
-///         the robot left one that it did not leave
+///         path the robot left one that it did not leave
 void require_visits(std::string_view text, std::span<const Query::Mention> mentions,
                     const Trace& trace, std::string_view kind = "query");
 inline void require_visits(const Query& query, const Trace& trace) {
@@ -109,9 +109,6 @@ struct Answer {
 
   Modality modality() const;
 };
-
-/// Whether a map comes before another in reports: by (visits, entered).
-bool is_before(std::span<const Arrival> one, std::span<const Arrival> other);
 
 /// Asks all maps of the tree, or its minimal models. Holds none of them but those of the answers.
 ///

@@ -11,8 +11,7 @@ constexpr ArmIndex no_arm = UINT32_MAX;
 
 }  // namespace
 
-QueryMap::QueryMap(const Trace& trace) {
-  for (const Visit& visit : trace.visits) table_.append(visit);
+QueryMap::QueryMap(const Trace& trace) : table_(trace) {
   left_.resize(table_.visits());
   linked_.resize(table_.size());
   path_of_arm_.resize(table_.size());

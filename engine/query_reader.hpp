@@ -56,6 +56,8 @@ struct StatedAssumption {
 StatedAssumption read_assumption(std::string_view text);
 
 /// @throws InputError if it names a visit that the trace does not have
-void require_visits(const StatedAssumption& stated, const Trace& trace);
+inline void require_visits(const StatedAssumption& stated, const Trace& trace) {
+  require_visits(stated.text, stated.mentions, trace, "assumption");
+}
 
 }  // namespace asterism

@@ -6,12 +6,6 @@
 namespace asterism {
 namespace {
 
-ArmTable table_of(const Trace& trace) {
-  ArmTable table;
-  for (const Visit& visit : trace.visits) table.append(visit);
-  return table;
-}
-
 std::string label(std::size_t number) {
   constexpr std::size_t letters = 26;
   std::string result(1, static_cast<char>('a' + number % letters));
@@ -22,7 +16,7 @@ std::string label(std::size_t number) {
 }  // namespace
 
 Replay::Replay(const MapTree& tree)
-    : table_(table_of(tree.trace())),
+    : table_(tree.trace()),
       engine_(table_, NativeEngine::options(tree.options().axioms, tree.options().planar)) {
   if (!tree.options().axioms.is_shipped())
     throw std::invalid_argument("axioms other than the shipped ones need the solver");

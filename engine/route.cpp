@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/joint_search.hpp"
+#include "engine/minimal_models.hpp"
 #include "engine/route_map.hpp"
 
 namespace asterism {
@@ -80,9 +81,8 @@ class Finding {
         only_minimal_(only_minimal),
         go_on_(go_on),
         limits_(limits),
-        map_(table_) {
-    for (const Visit& visit : tree.trace().visits) table_.append(visit);
-  }
+        table_(tree.trace()),
+        map_(table_) {}
 
   std::optional<RouteAnswer> find() {
     if (!look_at_each()) return std::nullopt;

@@ -11,12 +11,9 @@
 #include "core/topological_map.hpp"
 #include "engine/map_tree.hpp"
 #include "engine/query.hpp"
+#include "engine/turns.hpp"
 
 namespace asterism {
-
-/// A route, as the robot is told it: at each place it turns to the arm so many clockwise from the
-/// one it came in by, arms without gateway counted too, and travels. 0 is back the way it came.
-using Turns = std::vector<std::size_t>;
 
 /// A question for a route from where the robot stands at one visit to the place of another. No
 /// Claim, since a map makes it neither true nor false.

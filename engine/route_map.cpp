@@ -28,7 +28,7 @@ bool RouteMap::leads(std::size_t from, std::size_t to, std::span<const std::size
   return place(arm) == place(arrived_[to]);
 }
 
-std::optional<std::vector<std::size_t>> RouteMap::shortest(std::size_t from, std::size_t to) const {
+std::optional<Turns> RouteMap::shortest(std::size_t from, std::size_t to) const {
   // Breadth-first, the least turn first: each place is first come to by the first of its shortest
   // routes, and where one goes on from there hangs on no arm.
   struct Reached {
@@ -43,7 +43,7 @@ std::optional<std::vector<std::size_t>> RouteMap::shortest(std::size_t from, std
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const ArmIndex arm = reached[i].arm;
     if (place(arm) == goal) {
-      std::vector<std::size_t> route;
+      Turns route;
       for (std::size_t back = i; back > 0; back = reached[back].before)
         route.push_back(reached[back].turn);
       std::ranges::reverse(route);

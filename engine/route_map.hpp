@@ -7,6 +7,7 @@
 
 #include "core/topological_map.hpp"
 #include "engine/arm_table.hpp"
+#include "engine/turns.hpp"
 
 namespace asterism {
 
@@ -36,7 +37,7 @@ class RouteMap {
   /// Whether this route can be gone from a visit, and ends at the place of another.
   bool leads(std::size_t from, std::size_t to, std::span<const std::size_t> route) const;
   /// Of the shortest routes, the first by turns; nothing if there is none.
-  std::optional<std::vector<std::size_t>> shortest(std::size_t from, std::size_t to) const;
+  std::optional<Turns> shortest(std::size_t from, std::size_t to) const;
   /// Travels that it takes at least from each place, by first visit, to that of a visit; `far`
   /// where none lead there.
   std::vector<std::size_t> travels_to(std::size_t visit) const;

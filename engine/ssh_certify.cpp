@@ -1,13 +1,13 @@
 #include "engine/ssh_certify.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <set>
 #include <stdexcept>
 
 #include "axioms/axiom_solver.hpp"
 #include "axioms/z3_vocabulary.hpp"
+#include "core/deadline.hpp"
 #include "core/error.hpp"
 #include "engine/ssh_table.hpp"
 #include "engine/ssh_tree.hpp"
@@ -15,13 +15,7 @@
 namespace asterism {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using DState = SshTable::DState;
-
-unsigned milliseconds_until(Clock::time_point deadline) {
-  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-  return left.count() < 1 ? 1U : static_cast<unsigned>(left.count());
-}
 
 std::vector<DState> numbers(std::span<const DStateId> dstates) {
   std::vector<DState> result;
@@ -30,11 +24,11 @@ std::vector<DState> numbers(std::span<const DStateId> dstates) {
 }
 
 Verdict check_model(const SshTable& table, const AxiomSet& axioms, std::span<const DState> dstates,
-                    Clock::time_point deadline) {
+                    Deadline deadline) {
   AxiomSolver solver(axioms, milliseconds_until(deadline));
   solver.add(table.general_facts());
   for (std::size_t k = 0; k < dstates.size(); ++k) {
-    if (Clock::now() > deadline) return Verdict::undecided;
+    if (is_over(deadline)) return Verdict::undecided;
     solver.add(table.step_facts(dstates.first(k + 1)));
   }
   return solver.check();
@@ -44,14 +38,14 @@ Verdict check_model(const SshTable& table, const AxiomSet& axioms, std::span<con
 class PreferredMap {
  public:
   PreferredMap(const SshTable& table, const AxiomSet& axioms, bool planar,
-               std::vector<std::size_t> best, Clock::time_point deadline)
+               std::vector<std::size_t> best, Deadline deadline)
       : table_(table),
         axioms_(axioms),
         planar_(planar),
         best_(std::move(best)),
         deadline_(deadline),
         pair_solver_(axioms, milliseconds_until(deadline)),
-        solver_(context_, z3::solver::simple()),
+        solver_(simple_solver(context_)),
         grounder_(axioms),
         vocabulary_(context_, grounder_) {
     // Cut short, it is never asked: exists() finds itself out of time as well.
@@ -66,10 +60,7 @@ class PreferredMap {
   /// inconsistent: there is none.
   Verdict exists() {
     while (!out_of_time()) {
-      z3::params parameters(context_);
-      parameters.set("timeout", milliseconds_until(deadline_));
-      parameters.set("ctrl_c", false);  // an interrupt is the program's
-      solver_.set(parameters);
+      set_timeout(solver_, milliseconds_until(deadline_));
       const z3::check_result result = solver_.check();
       if (result == z3::unsat) return Verdict::inconsistent;
       if (result == z3::unknown) return Verdict::undecided;
@@ -84,7 +75,7 @@ class PreferredMap {
   }
 
  private:
-  bool out_of_time() const { return Clock::now() >= deadline_; }
+  bool out_of_time() const { return is_over(deadline_); }
 
   z3::expr at(std::size_t k, std::size_t j) {
     return context_.bool_const(("at_" + std::to_string(k) + "_" + std::to_string(j)).c_str());
@@ -248,7 +239,7 @@ class PreferredMap {
   const AxiomSet& axioms_;
   bool planar_;
   std::vector<std::size_t> best_;
-  Clock::time_point deadline_;
+  Deadline deadline_;
 
   AxiomSolver pair_solver_;  ///< of two views alone
   z3::context context_;
@@ -265,8 +256,7 @@ class PreferredMap {
 
 Certificate certify(const Experience& experience, const AxiomSet& axioms, bool planar,
                     std::span<const SshMap> models, double seconds) {
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(std::min(seconds, 1e6)));
+  const Deadline deadline = deadline_in(seconds);
   if (models.empty()) throw std::invalid_argument("no models to certify");
   const SshTable table(experience);
   const std::vector<std::size_t> best = extents_of(models.front(), axioms.preference());

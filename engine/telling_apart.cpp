@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/minimal_models.hpp"
 #include "engine/replay.hpp"
 
 namespace asterism {
@@ -13,22 +14,6 @@ namespace {
 
 constexpr std::size_t states_between_questions = 256;
 constexpr ArmIndex nowhere = UINT32_MAX;
-
-std::vector<std::vector<Arrival>> minimal_models(const MapTree& tree) {
-  std::vector<std::vector<Arrival>> models;
-  tree.for_each(tree.minimal(), [&](HypothesisId, std::span<const Arrival> hypothesis) {
-    models.emplace_back(hypothesis.begin(), hypothesis.end());
-  });
-  std::ranges::sort(models, [](const auto& one, const auto& other) {
-    const auto is_before = [&](auto part) {
-      return std::ranges::lexicographical_compare(one, other, {}, part, part);
-    };
-    return std::ranges::equal(one, other, {}, &Arrival::place, &Arrival::place)
-               ? is_before(&Arrival::entered)
-               : is_before(&Arrival::place);
-  });
-  return models;
-}
 
 /// The minimal models, as far as the robot can go along their segments.
 class Models {
