@@ -10,6 +10,7 @@
 #include "engine/certify.hpp"
 #include "engine/facts.hpp"
 #include "engine/map_tree.hpp"
+#include "engine/minimal_models.hpp"
 #include "simulation/corridor_world.hpp"
 #include "simulation/grid_world.hpp"
 #include "simulation/ring_building.hpp"
@@ -182,10 +183,7 @@ class Engines {
   }
 
   bool certify_minimal(const MapTree& tree, bool planar, const std::string& name) {
-    std::vector<Association> models;
-    tree.for_each(tree.minimal(), [&](HypothesisId, std::span<const Arrival> arrivals) {
-      models.emplace_back(arrivals.begin(), arrivals.end());
-    });
+    const std::vector<Association> models = minimal_models(tree);
     const double left_s = seconds_until(deadline_);
     switch (certify(tree.trace(), axioms_, planar, models, std::clamp(left_s, 0.0, certify_s))) {
       case Certificate::shown:

@@ -11,7 +11,7 @@ namespace asterism {
 /// Claims about maps as formulas over a data association that is left to the solver.
 ///
 /// A statement about visits that are not told of is free: it may hold or not. Paths are counted by
-/// the closed form: see require_countable().                [DESIGN §6]
+/// the closed form: see require_countable().
 class ClaimCircuit {
  public:
   ClaimCircuit(FreeAssociation& association, z3::solver& solver)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 
 namespace asterism {
 namespace {
@@ -11,16 +12,6 @@ using Segment = TopologicalMap::Segment;
 
 Segment segment(PlaceArm one, PlaceArm other) {
   return one < other ? Segment{one, other} : Segment{other, one};
-}
-
-/// The star of each place, as seen at its first visit told of.
-std::map<PlaceId, TopologicalMap::Place> places_of(const Trace& trace, const PartialMap& map,
-                                                   VisitId last) {
-  std::map<PlaceId, TopologicalMap::Place> places;
-  for (std::size_t k = 0; k <= last.index(); ++k)
-    if (map[k])
-      places.try_emplace(map[k]->place, TopologicalMap::Place{trace.visits[k].star, VisitId(k)});
-  return places;
 }
 
 std::set<PlaceId> piece_with(PlaceId start, const std::set<Segment>& segments) {
@@ -37,7 +28,7 @@ std::set<PlaceId> piece_with(PlaceId start, const std::set<Segment>& segments) {
 }  // namespace
 
 CrossingMap crossing_map(const Trace& trace, const PartialMap& map, const Crossing& crossing) {
-  const auto places = places_of(trace, map, crossing.visit);
+  const auto places = sketch_of(trace, std::span(map).first(crossing.visit.index() + 1)).map.places;
   const Segment last = segment(crossing.left, crossing.entered);
   std::set<Segment> segments(crossing.segments.begin(), crossing.segments.end());
   segments.erase(last);
@@ -48,7 +39,7 @@ CrossingMap crossing_map(const Trace& trace, const PartialMap& map, const Crossi
   for (const PlaceId place : piece) {
     number.emplace(place, PlaceId(result.names.size()));
     result.names.push_back(place);
-    result.map.places.push_back(places.at(place));
+    result.map.places.push_back(places.at(place.index()));
   }
   const auto renumbered = [&](PlaceArm arm) { return PlaceArm{number.at(arm.place), arm.arm}; };
   const auto add = [&](const Segment& one) {

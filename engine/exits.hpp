@@ -51,7 +51,7 @@ struct Exits {
 ///
 /// @param go_on  asked now and then, with the maps looked at in this turn; may be empty
 /// @return  nothing if go_on said to stop
-/// @pre     the tree is not empty
+/// @pre     the tree is not empty, and nothing was assumed
 /// @throws  std::invalid_argument if the axioms are none that the native engine knows
 std::optional<Exits> exits(const MapTree& tree, const ExitBounds& bounds = {},
                            const std::function<bool(std::uint64_t maps)>& go_on = {});

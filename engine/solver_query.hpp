@@ -23,8 +23,8 @@ Claim preferred_to(const std::vector<std::size_t>& extents, const AxiomSet& axio
 std::vector<std::size_t> extents_by_preference(const TopologicalMap& map, const AxiomSet& axioms);
 
 /// The solver counts paths and segments by the closed form: the axioms must keep every gateway to
-/// one segment, and every path from closing on itself.                                    [DESIGN
-/// §6]
+/// one segment, and every path from closing on itself.
+///                                                                             [DESIGN §6]
 /// @throws InputError if they do not, and the claim counts these
 void require_countable(const Claim& claim, const std::string& text, const AxiomSet& axioms);
 

@@ -19,6 +19,8 @@ using Engine = std::variant<SshNative, SshSolver, SshBoth>;
 Engine make_engine(const MapTree::Options& options, const SshTable& table) {
   if (options.check != Check::solver && !options.axioms.is_shipped())
     throw std::invalid_argument("axioms other than the shipped ones need the solver");
+  if (!options.assumptions.empty())
+    throw std::invalid_argument("nothing can be assumed of visits: the basic SSH has none");
   SshNative native(table, {.one_segment = options.axioms.contains("one_segment"),
                            .one_crossing = options.axioms.contains("one_crossing")});
   if (options.check == Check::native) return native;

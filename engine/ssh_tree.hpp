@@ -24,9 +24,8 @@ namespace asterism {
 class SshTree {
  public:
   /// max_hypotheses bounds all maps kept after a view, planar or not.
-  /// @throws std::invalid_argument if the experience is not valid, or the axioms need the solver
-  /// and
-  ///         `check` does not name it
+  /// @throws std::invalid_argument if the experience is not valid, something is assumed, or the
+  ///         axioms need the solver and `check` does not name it
   SshTree(Experience experience, MapTree::Options options);
   ~SshTree();
   SshTree(SshTree&&) noexcept;
