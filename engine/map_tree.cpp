@@ -10,32 +10,12 @@
 #include "engine/arm_table.hpp"
 #include "engine/assuming.hpp"
 #include "engine/native.hpp"
+#include "engine/preference.hpp"
 #include "engine/preorder.hpp"
 #include "engine/solver.hpp"
 
 namespace asterism {
 namespace {
-
-/// The extents to minimise, in order of preference: the smaller rank is preferred.
-class Preference {
- public:
-  using Rank = std::uint64_t;
-
-  explicit Preference(const std::vector<std::string>& extents) {
-    constexpr Rank one_more = Rank{1} << 21;  // than any extent: see ArmTable
-    Rank weight = 1;
-    for (auto extent = extents.rbegin(); extent != extents.rend(); ++extent, weight *= one_more)
-      (*extent == "path" ? paths_ : *extent == "place" ? places_ : segments_) = weight;
-  }
-  Rank rank(const Extents& extents) const {
-    return paths_ * extents.paths + places_ * extents.places + segments_ * extents.segments;
-  }
-
- private:
-  Rank paths_ = 0;
-  Rank places_ = 0;
-  Rank segments_ = 0;
-};
 
 using Engine = std::variant<NativeEngine, SolverEngine, BothEngines>;
 
