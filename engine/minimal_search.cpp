@@ -1,10 +1,6 @@
 #include "engine/minimal_search.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <condition_variable>
-#include <deque>
-#include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
@@ -15,6 +11,8 @@
 #include "engine/arm_table.hpp"
 #include "engine/folding.hpp"
 #include "engine/preference.hpp"
+#include "engine/search_level.hpp"
+#include "engine/search_worker.hpp"
 
 namespace asterism {
 namespace {
@@ -24,7 +22,6 @@ using Decision = SearchState::Decision;
 using Branch = SearchState::Branch;
 using Model = SearchState::Model;
 
-constexpr Rank no_rank = UINT64_MAX;
 /// A row of bits for every arm, of as many bits.
 constexpr std::size_t max_visits = 4'000;
 /// Between questions to the caller.
@@ -33,318 +30,6 @@ constexpr double slice_s = 0.02;
 constexpr std::uint64_t first_look_branchings = 300;
 /// Before threads are worth their start.
 constexpr std::uint64_t branchings_alone = 500;
-
-/// What the workers share: the level in work, what was found, and branches to take over.
-class Level {
- public:
-  explicit Level(const Preference& preference) : preference_(preference) {}
-
-  /// What is preferred less than this is left out.
-  Rank limit() const { return limit_.load(std::memory_order_relaxed); }
-
-  void refuse(Rank rank) {
-    Rank refused = refused_.load(std::memory_order_relaxed);
-    while (rank < refused &&
-           !refused_.compare_exchange_weak(refused, rank, std::memory_order_relaxed)) {
-    }
-  }
-  void found(Rank rank, Model model) {
-    const std::lock_guard lock(mutex_);
-    if (rank > limit()) return;
-    if (models.empty() || rank < best) {
-      models.clear();
-      best = rank;
-      limit_ = rank;
-    }
-    models.push_back(std::move(model));
-  }
-
-  void begin(Rank limit) {
-    limit_ = limit;
-    refused_ = no_rank;
-    best = no_rank;
-    models.clear();
-    branches.clear();
-  }
-  Rank refused() const { return refused_; }
-  void resume(const SearchState& state, Rank rank) {
-    begin(state.limit);
-    refused_ = state.refused;
-    models = state.models;
-    best = rank;
-    branches.assign(state.branches.begin(), state.branches.end());
-  }
-
-  /// Whether a worker waits for something to do.
-  bool is_hungry() const { return hungry_.load(std::memory_order_relaxed); }
-  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
-
-  void give(Branch branch) {
-    const std::lock_guard lock(mutex_);
-    branches.push_back(std::move(branch));
-    hungry_ = waiting_ > branches.size();
-    wake_.notify_one();
-  }
-  /// Waits until there is something to do, unless all wait, or it is to end.
-  std::optional<Branch> take() {
-    std::unique_lock lock(mutex_);
-    ++waiting_;
-    if (waiting_ == workers_ && branches.empty()) stop_locked();
-    hungry_ = waiting_ > branches.size();
-    wake_.wait(lock, [&] { return is_stopped() || !branches.empty(); });
-    --waiting_;
-    if (is_stopped()) return std::nullopt;
-    Branch branch = std::move(branches.front());
-    branches.pop_front();
-    hungry_ = waiting_ > branches.size();
-    return branch;
-  }
-  void start(unsigned workers) {
-    workers_ = workers;
-    waiting_ = 0;
-    stopped_ = false;
-    hungry_ = false;
-  }
-  void stop() {
-    const std::lock_guard lock(mutex_);
-    stop_locked();
-  }
-
-  std::vector<Model> models;  ///< of rank `best`
-  Rank best = no_rank;
-  std::deque<Branch> branches;
-
- private:
-  void stop_locked() {
-    stopped_ = true;
-    wake_.notify_all();
-  }
-
-  const Preference& preference_;
-  std::atomic<Rank> limit_ = 0;
-  std::atomic<Rank> refused_ = no_rank;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  unsigned workers_ = 1;
-  unsigned waiting_ = 0;
-  std::atomic<bool> stopped_ = false;
-  std::atomic<bool> hungry_ = false;
-};
-
-/// One thread's search, depth first.
-class Worker {
- public:
-  Worker(const ArmTable& table, const Preference& preference, const Folding& begun, Level& level)
-      : table_(table), preference_(preference), folding_(begun), level_(level) {
-    flexible_.resize(folding_.words());
-    for (ArmIndex visit = 0; visit < table.visits(); ++visit) {
-      std::uint32_t ends = 0;
-      const ArmIndex first = table.first_arm(visit);
-      for (ArmIndex arm = first; arm < first + table.star_size(visit); ++arm)
-        if (!table.has_gateway(arm)) ++ends;
-      ends_.push_back(ends);
-    }
-  }
-
-  bool is_idle() const { return frames_.empty(); }
-  std::uint64_t branchings() const { return branchings_; }
-  std::size_t memory_bytes() const { return folding_.memory_bytes(); }
-
-  /// @return false if what was decided contradicts itself
-  bool take(const Branch& branch) {
-    clear();
-    for (const Decision& decision : branch.decided)
-      if (!decide(decision)) {
-        clear();
-        return false;
-      }
-    push(branch.next);
-    return true;
-  }
-  void clear() {
-    frames_.clear();
-    folding_.undo(0);
-    decided_.clear();
-  }
-
-  /// Tries what is next.
-  /// @pre  it is not idle
-  void advance() {
-    Frame& top = frames_.back();
-    folding_.undo(top.mark);
-    decided_.resize(top.decided);
-    if (top.tried == top.next.size()) return frames_.pop_back();
-    const Decision next = top.next[top.tried++];
-    ++branchings_;
-    if (decide(next)) expand();
-  }
-
-  /// Parts with the branch nearest to the root, if it keeps another.
-  std::optional<Branch> give() {
-    std::size_t open = 0;
-    for (const Frame& frame : frames_) open += frame.next.size() - frame.tried;
-    if (open < 2) return std::nullopt;
-    for (Frame& frame : frames_) {
-      if (frame.tried == frame.next.size()) continue;
-      Branch branch = branch_of(frame);
-      if (branch.next.size() == open) branch.next.resize(branch.next.size() / 2);
-      // What is kept comes last.
-      const auto begin = frame.next.begin() + static_cast<std::ptrdiff_t>(frame.tried);
-      frame.next.erase(begin, begin + static_cast<std::ptrdiff_t>(branch.next.size()));
-      return branch;
-    }
-    return std::nullopt;
-  }
-  /// All that is yet to be tried.
-  void add_branches(std::vector<Branch>& branches) const {
-    for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
-      if (frame->tried < frame->next.size()) branches.push_back(branch_of(*frame));
-  }
-
- private:
-  struct Frame {
-    std::vector<Decision> next;
-    std::size_t tried;
-    Folding::Mark mark;
-    std::size_t decided;
-  };
-
-  Branch branch_of(const Frame& frame) const {
-    return {{decided_.begin(), decided_.begin() + static_cast<std::ptrdiff_t>(frame.decided)},
-            {frame.next.begin() + static_cast<std::ptrdiff_t>(frame.tried), frame.next.end()}};
-  }
-  void push(std::vector<Decision> next) {
-    frames_.push_back({std::move(next), 0, folding_.mark(), decided_.size()});
-  }
-
-  bool decide(const Decision& decision) {
-    decided_.push_back(decision);
-    return decision.same ? folding_.identify(decision.arm, *decision.same)
-                         : folding_.settle(decision.arm);
-  }
-
-  /// Looks where to branch next; decides what has one way only; ends where there is no map under
-  /// the limit.
-  void expand() {
-    while (true) {
-      if (!settle_what_differs()) return;
-      const Extents least = least_extents();
-      const Rank rank = preference_.rank(least);
-      if (rank > level_.limit()) return level_.refuse(rank);
-      if (unsettled_.empty()) return level_.found(rank, folding_.named());
-
-      std::uint64_t fewest = UINT64_MAX;
-      ArmIndex narrowest = 0;
-      bool may_differ = false;
-      for (const ArmIndex visit : unsettled_) {
-        const Rank settled_rank = preference_.rank(least_if_settled(least, visit));
-        const bool may_settle = settled_rank <= level_.limit();
-        if (!may_settle) level_.refuse(settled_rank);
-        const std::uint64_t visits = std::min<std::uint64_t>(folding_.visits_there(visit), 1023);
-        std::uint64_t key = (may_settle ? 1024 : 0) - visits + 1024;
-        folding_.for_each_settled(table_.first_arm(visit), [&](ArmIndex) {
-          key += 1024;
-          return key < fewest;
-        });
-        if (key >= fewest) continue;
-        fewest = key;
-        narrowest = visit;
-        may_differ = may_settle;
-      }
-      std::vector<Decision> next;
-      const ArmIndex arm = table_.first_arm(narrowest);
-      folding_.for_each_settled(arm, [&](ArmIndex same) {
-        next.push_back({arm, same});
-        return true;
-      });
-      if (may_differ) next.push_back({arm, std::nullopt});
-      if (next.size() > 1) return push(std::move(next));
-      if (!decide(next.front())) return;
-    }
-  }
-
-  /// Settles every place that may be one with none settled. Lists the others.
-  bool settle_what_differs() {
-    bool again = true;
-    while (again) {
-      again = false;
-      unsettled_.clear();
-      for (ArmIndex visit = 0; visit < table_.visits(); ++visit) {
-        if (!folding_.represents(visit) || folding_.is_settled(visit)) continue;
-        bool differs = true;
-        folding_.for_each_settled(table_.first_arm(visit),
-                                  [&](ArmIndex) { return differs = false; });
-        if (differs) {
-          if (!decide({table_.first_arm(visit), std::nullopt})) return false;
-          again = true;
-        } else {
-          unsettled_.push_back(visit);
-        }
-      }
-    }
-    return true;
-  }
-
-  /// No map that comes of this folding has less.
-  ///
-  ///   |paths| = (ends + open) / 2      over all places                           [DESIGN §6]
-  ///
-  /// A gateway of a settled place stays open unless an arm of some unsettled place, one travelled
-  /// by, turns out to be it: `shut` ones never do, and of the others there must be enough.
-  Extents least_extents() {
-    std::uint32_t ends = 0;
-    std::uint32_t linked = 0;
-    std::uint32_t travelled = 0;  // arms of unsettled places
-    std::ranges::fill(flexible_, 0);
-    for (const ArmIndex visit : unsettled_) {
-      const ArmIndex first = table_.first_arm(visit);
-      for (ArmIndex arm = first; arm < first + table_.star_size(visit); ++arm) {
-        if (folding_.across(arm) == Folding::none) continue;
-        ++travelled;
-        flexible_[arm / 64] |= std::uint64_t{1} << (arm % 64);
-      }
-    }
-    std::uint32_t open = 0;
-    std::uint32_t shut = 0;
-    for (const ArmIndex visit : folding_.settled()) {
-      ends += ends_[visit];
-      const ArmIndex first = table_.first_arm(visit);
-      for (ArmIndex arm = first; arm < first + table_.star_size(visit); ++arm) {
-        if (!table_.has_gateway(arm)) continue;
-        if (const ArmIndex to = folding_.across(arm); to != Folding::none) {
-          if (folding_.is_settled(table_.visit_of(to))) ++linked;
-        } else if (folding_.may_be_any(arm, flexible_)) {
-          ++open;
-        } else {
-          ++shut;
-        }
-      }
-    }
-    const std::uint32_t stay_open = shut + (open > travelled ? open - travelled : 0);
-    twice_paths_ = ends + stay_open;
-    return {.paths = (twice_paths_ + 1) / 2,
-            .places = static_cast<std::uint32_t>(folding_.settled().size()),
-            .segments = linked / 2};
-  }
-  /// ... if this place too differs from those settled.
-  Extents least_if_settled(Extents least, ArmIndex visit) const {
-    ++least.places;
-    least.paths = (twice_paths_ + ends_[visit] + 1) / 2;
-    return least;
-  }
-
-  const ArmTable& table_;
-  const Preference& preference_;
-  Folding folding_;
-  Level& level_;
-  std::vector<std::uint32_t> ends_;  ///< of a visit's star: arms without gateway
-  std::vector<Frame> frames_;
-  std::vector<Decision> decided_;
-  std::vector<ArmIndex> unsettled_;
-  std::vector<std::uint64_t> flexible_;  ///< arms travelled by, of unsettled places
-  std::uint32_t twice_paths_ = 0;
-  std::uint64_t branchings_ = 0;
-};
 
 /// Places no two of which can be one, many of them: settled without branching.
 std::vector<Decision> different_places(const ArmTable& table, const Folding& folding) {
@@ -393,7 +78,7 @@ std::vector<Decision> different_places(const ArmTable& table, const Folding& fol
 class MinimalSearch::Searching {
  public:
   explicit Searching(Options given)
-      : options(std::move(given)), preference(options.axioms.preference()), level(preference) {
+      : options(std::move(given)), preference(options.axioms.preference()) {
     if (!options.axioms.is_shipped())
       throw std::invalid_argument("axioms other than the shipped ones need the solver");
     options.jobs = std::max(options.jobs, 1U);
@@ -419,7 +104,7 @@ class MinimalSearch::Searching {
   Options options;
   Preference preference;
   ArmTable table;
-  Level level;
+  SearchLevel level;
   std::unique_ptr<Folding> folding;  ///< of the trace so far
   bool is_begun = false;             ///< the folding is
   bool is_level_begun = false;
@@ -428,7 +113,7 @@ class MinimalSearch::Searching {
   std::uint64_t at_least = 0;
   std::optional<Model> incumbent;
   Rank incumbent_rank = no_rank;
-  std::vector<Worker> workers;
+  std::vector<SearchWorker> workers;
   std::uint64_t branchings_before = 0;  ///< by workers that are no more
 
  private:
@@ -442,7 +127,7 @@ class MinimalSearch::Searching {
   void make_workers(std::size_t count);
   void forget_workers();
   bool search_slice();
-  void work(Worker& worker, Deadline until, std::uint64_t most_branchings);
+  void work(SearchWorker& worker, Deadline until, std::uint64_t most_branchings);
 };
 
 void MinimalSearch::Searching::extend(std::span<const Visit> visits) {
@@ -538,7 +223,7 @@ void MinimalSearch::Searching::make_workers(std::size_t count) {
 }
 
 void MinimalSearch::Searching::forget_workers() {
-  for (const Worker& worker : workers) branchings_before += worker.branchings();
+  for (const SearchWorker& worker : workers) branchings_before += worker.branchings();
   workers.clear();
 }
 
@@ -546,7 +231,7 @@ void MinimalSearch::Searching::forget_workers() {
 void MinimalSearch::Searching::look_first(const Branch& root) {
   level.begin(incumbent ? incumbent_rank - 1 : no_rank - 1);
   make_workers(1);
-  Worker& worker = workers.front();
+  SearchWorker& worker = workers.front();
   if (worker.take(root))
     for (std::uint64_t n = 0; n < first_look_branchings && !worker.is_idle(); ++n) worker.advance();
   worker.clear();
@@ -573,7 +258,8 @@ bool MinimalSearch::Searching::next_level() {
   return true;
 }
 
-void MinimalSearch::Searching::work(Worker& worker, Deadline until, std::uint64_t most_branchings) {
+void MinimalSearch::Searching::work(SearchWorker& worker, Deadline until,
+                                    std::uint64_t most_branchings) {
   const std::uint64_t begin = worker.branchings();
   for (std::uint64_t n = 0; !level.is_stopped(); ++n) {
     if (worker.is_idle()) {
@@ -593,7 +279,7 @@ void MinimalSearch::Searching::work(Worker& worker, Deadline until, std::uint64_
 bool MinimalSearch::Searching::search_slice() {
   const Deadline until = deadline_in(slice_s);
   std::uint64_t branchings = branchings_before;
-  for (const Worker& worker : workers) branchings += worker.branchings();
+  for (const SearchWorker& worker : workers) branchings += worker.branchings();
   const bool alone = options.jobs == 1 || branchings < branchings_alone;
   const std::size_t jobs = alone && workers.size() <= 1 ? 1 : options.jobs;
   make_workers(jobs);
@@ -605,7 +291,7 @@ bool MinimalSearch::Searching::search_slice() {
     work(workers[0], until, jobs < options.jobs ? branchings_alone : UINT64_MAX);
   }
   return level.branches.empty() &&
-         std::ranges::all_of(workers, [](const Worker& worker) { return worker.is_idle(); });
+         std::ranges::all_of(workers, [](const SearchWorker& worker) { return worker.is_idle(); });
 }
 
 /// @throws std::invalid_argument if one cannot be of this search
@@ -650,7 +336,7 @@ SearchState MinimalSearch::Searching::state() const {
   state.refused = level.refused();
   state.incumbent = incumbent;
   state.models = level.models;
-  for (const Worker& worker : workers) worker.add_branches(state.branches);
+  for (const SearchWorker& worker : workers) worker.add_branches(state.branches);
   state.branches.insert(state.branches.end(), level.branches.begin(), level.branches.end());
   return state;
 }
@@ -726,14 +412,14 @@ std::vector<std::vector<Arrival>> MinimalSearch::models() const {
 
 std::size_t MinimalSearch::memory_bytes() const {
   std::size_t bytes = searching_->folding ? searching_->folding->memory_bytes() : 0;
-  for (const Worker& worker : searching_->workers) bytes += worker.memory_bytes();
+  for (const SearchWorker& worker : searching_->workers) bytes += worker.memory_bytes();
   return bytes + searching_->best_models().size() *
                      (sizeof(Model) + searching_->table.visits() * sizeof(ArmIndex));
 }
 
 std::uint64_t MinimalSearch::branchings() const {
   std::uint64_t sum = searching_->branchings_before;
-  for (const Worker& worker : searching_->workers) sum += worker.branchings();
+  for (const SearchWorker& worker : searching_->workers) sum += worker.branchings();
   return sum;
 }
 

@@ -26,9 +26,8 @@ std::vector<std::vector<Arrival>> searched(const Trace& trace, bool planar) {
 TEST_CASE("the search finds the minimal models that the tree lists", "[engine][property]") {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     RandomEngine engine(seed);
-    const World world = seed % 2 == 0
-                            ? grid_world({.width = 3 + seed % 3, .height = 3}, engine)
-                            : corridor_world({.corridors = 5 + seed % 4}, engine);
+    const World world = seed % 2 == 0 ? grid_world({.width = 3 + seed % 3, .height = 3}, engine)
+                                      : corridor_world({.corridors = 5 + seed % 4}, engine);
     const Trace trace = walk(world, {.travels = 8 + seed % 9}, engine).trace;
     for (const bool planar : {false, true}) {
       CAPTURE(seed, planar);

@@ -1,0 +1,194 @@
+#include "engine/search_worker.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace asterism {
+
+SearchWorker::SearchWorker(const ArmTable& table, const Preference& preference,
+                           const Folding& begun, SearchLevel& level)
+    : table_(table), preference_(preference), folding_(begun), level_(level) {
+  flexible_.resize(folding_.words());
+  for (ArmIndex visit = 0; visit < table.visits(); ++visit) {
+    std::uint32_t ends = 0;
+    const ArmIndex first = table.first_arm(visit);
+    for (ArmIndex arm = first; arm < first + table.star_size(visit); ++arm)
+      if (!table.has_gateway(arm)) ++ends;
+    ends_.push_back(ends);
+  }
+}
+
+bool SearchWorker::take(const SearchState::Branch& branch) {
+  clear();
+  for (const Decision& decision : branch.decided)
+    if (!decide(decision)) {
+      clear();
+      return false;
+    }
+  push(branch.next);
+  return true;
+}
+
+void SearchWorker::clear() {
+  frames_.clear();
+  folding_.undo(0);
+  decided_.clear();
+}
+
+void SearchWorker::advance() {
+  Frame& top = frames_.back();
+  folding_.undo(top.mark);
+  decided_.resize(top.decided);
+  if (top.tried == top.next.size()) return frames_.pop_back();
+  const Decision next = top.next[top.tried++];
+  ++branchings_;
+  if (decide(next)) expand();
+}
+
+std::optional<SearchState::Branch> SearchWorker::give() {
+  std::size_t open = 0;
+  for (const Frame& frame : frames_) open += frame.next.size() - frame.tried;
+  if (open < 2) return std::nullopt;
+  for (Frame& frame : frames_) {
+    if (frame.tried == frame.next.size()) continue;
+    SearchState::Branch branch = branch_of(frame);
+    if (branch.next.size() == open) branch.next.resize(branch.next.size() / 2);
+    // What is kept comes last.
+    const auto begin = frame.next.begin() + static_cast<std::ptrdiff_t>(frame.tried);
+    frame.next.erase(begin, begin + static_cast<std::ptrdiff_t>(branch.next.size()));
+    return branch;
+  }
+  return std::nullopt;
+}
+
+void SearchWorker::add_branches(std::vector<SearchState::Branch>& branches) const {
+  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+    if (frame->tried < frame->next.size()) branches.push_back(branch_of(*frame));
+}
+
+SearchState::Branch SearchWorker::branch_of(const Frame& frame) const {
+  return {{decided_.begin(), decided_.begin() + static_cast<std::ptrdiff_t>(frame.decided)},
+          {frame.next.begin() + static_cast<std::ptrdiff_t>(frame.tried), frame.next.end()}};
+}
+
+void SearchWorker::push(std::vector<Decision> next) {
+  frames_.push_back({std::move(next), 0, folding_.mark(), decided_.size()});
+}
+
+bool SearchWorker::decide(const Decision& decision) {
+  decided_.push_back(decision);
+  return decision.same ? folding_.identify(decision.arm, *decision.same)
+                       : folding_.settle(decision.arm);
+}
+
+/// Looks where to branch next; decides what has one way only; ends where there is no map under
+/// the limit.
+void SearchWorker::expand() {
+  while (true) {
+    if (!settle_what_differs()) return;
+    const Extents least = least_extents();
+    const Preference::Rank rank = preference_.rank(least);
+    if (rank > level_.limit()) return level_.refuse(rank);
+    if (unsettled_.empty()) return level_.found(rank, folding_.named());
+
+    std::uint64_t fewest = UINT64_MAX;
+    ArmIndex narrowest = 0;
+    bool may_differ = false;
+    for (const ArmIndex visit : unsettled_) {
+      const Preference::Rank settled_rank = preference_.rank(least_if_settled(least, visit));
+      const bool may_settle = settled_rank <= level_.limit();
+      if (!may_settle) level_.refuse(settled_rank);
+      const std::uint64_t visits = std::min<std::uint64_t>(folding_.visits_there(visit), 1023);
+      std::uint64_t key = (may_settle ? 1024 : 0) - visits + 1024;
+      folding_.for_each_settled(table_.first_arm(visit), [&](ArmIndex) {
+        key += 1024;
+        return key < fewest;
+      });
+      if (key >= fewest) continue;
+      fewest = key;
+      narrowest = visit;
+      may_differ = may_settle;
+    }
+    std::vector<Decision> next;
+    const ArmIndex arm = table_.first_arm(narrowest);
+    folding_.for_each_settled(arm, [&](ArmIndex same) {
+      next.push_back({arm, same});
+      return true;
+    });
+    if (may_differ) next.push_back({arm, std::nullopt});
+    if (next.size() > 1) return push(std::move(next));
+    if (!decide(next.front())) return;
+  }
+}
+
+/// Settles every place that may be one with none settled. Lists the others.
+bool SearchWorker::settle_what_differs() {
+  bool again = true;
+  while (again) {
+    again = false;
+    unsettled_.clear();
+    for (ArmIndex visit = 0; visit < table_.visits(); ++visit) {
+      if (!folding_.represents(visit) || folding_.is_settled(visit)) continue;
+      bool differs = true;
+      folding_.for_each_settled(table_.first_arm(visit), [&](ArmIndex) { return differs = false; });
+      if (differs) {
+        if (!decide({table_.first_arm(visit), std::nullopt})) return false;
+        again = true;
+      } else {
+        unsettled_.push_back(visit);
+      }
+    }
+  }
+  return true;
+}
+
+/// No map that comes of this folding has less.
+///
+///   |paths| = (ends + open) / 2      over all places                           [DESIGN §6]
+///
+/// A gateway of a settled place stays open unless an arm of some unsettled place, one travelled
+/// by, turns out to be it: `shut` ones never do, and of the others there must be enough.
+Extents SearchWorker::least_extents() {
+  std::uint32_t ends = 0;
+  std::uint32_t linked = 0;
+  std::uint32_t travelled = 0;  // arms of unsettled places
+  std::ranges::fill(flexible_, 0);
+  for (const ArmIndex visit : unsettled_) {
+    const ArmIndex first = table_.first_arm(visit);
+    for (ArmIndex arm = first; arm < first + table_.star_size(visit); ++arm) {
+      if (folding_.across(arm) == Folding::none) continue;
+      ++travelled;
+      flexible_[arm / 64] |= std::uint64_t{1} << (arm % 64);
+    }
+  }
+  std::uint32_t open = 0;
+  std::uint32_t shut = 0;
+  for (const ArmIndex visit : folding_.settled()) {
+    ends += ends_[visit];
+    const ArmIndex first = table_.first_arm(visit);
+    for (ArmIndex arm = first; arm < first + table_.star_size(visit); ++arm) {
+      if (!table_.has_gateway(arm)) continue;
+      if (const ArmIndex to = folding_.across(arm); to != Folding::none) {
+        if (folding_.is_settled(table_.visit_of(to))) ++linked;
+      } else if (folding_.may_be_any(arm, flexible_)) {
+        ++open;
+      } else {
+        ++shut;
+      }
+    }
+  }
+  const std::uint32_t stay_open = shut + (open > travelled ? open - travelled : 0);
+  twice_paths_ = ends + stay_open;
+  return {.paths = (twice_paths_ + 1) / 2,
+          .places = static_cast<std::uint32_t>(folding_.settled().size()),
+          .segments = linked / 2};
+}
+
+/// ... if this place too differs from those settled.
+Extents SearchWorker::least_if_settled(Extents least, ArmIndex visit) const {
+  ++least.places;
+  least.paths = (twice_paths_ + ends_[visit] + 1) / 2;
+  return least;
+}
+
+}  // namespace asterism
