@@ -19,6 +19,9 @@ Verdict Folding::begin(std::span<const Assumption> assumptions, const Folding* b
   settled_list_.clear();
   settled_arms_.assign(words_, 0);
   seen_.assign(arms, 0);
+  face_.assign(arms, 0);
+  part_.assign(visits, 0);
+  faces_are_numbered_ = false;
   done_.clear();
   narrowed_.clear();
 
@@ -197,6 +200,7 @@ bool Folding::settle(ArmIndex arm) {
 }
 
 void Folding::undo(Mark mark) {
+  if (done_.size() > mark) faces_are_numbered_ = false;
   while (done_.size() > mark) {
     const Done last = done_.back();
     done_.pop_back();
@@ -268,38 +272,41 @@ bool Folding::settled_places_agree() {
 /// V - E + F = 2 of each connected part.                                          [DESIGN §7]
 bool Folding::settled_places_are_planar() {
   std::size_t ends = 0;
-  std::size_t faces = 0;
-  std::size_t parts = 0;
-  const std::uint32_t round = new_stamp();
+  std::uint32_t parts = 0;
+  const std::uint32_t faced = new_stamp();
+  faces_ = 0;
   for (const ArmIndex visit : settled_list_) {
-    bool joined = false;
+    bool is_joined = false;
     const ArmIndex first = table_.first_arm(visit);
-    for (ArmIndex arm = first; arm < first + table_.star_size(visit); ++arm) {
+    const ArmIndex end = first + table_.star_size(visit);
+    for (ArmIndex arm = first; arm < end; ++arm) {
       if (across_settled(arm) == none) continue;
-      joined = true;
+      is_joined = true;
       ++ends;
-      if (seen_[arm] == round) continue;
-      ++faces;
-      for (ArmIndex on_face = arm; seen_[on_face] != round;) {
-        seen_[on_face] = round;
-        on_face = across_settled(on_face);
-        do on_face = table_.clockwise(on_face, 1);
-        while (across_settled(on_face) == none);
+      if (seen_[arm] == faced) continue;
+      for (ArmIndex on_face = arm; seen_[on_face] != faced;) {
+        seen_[on_face] = faced;
+        on_face = table_.clockwise(across_settled(on_face), 1);
+        for (; across_settled(on_face) == none; on_face = table_.clockwise(on_face, 1))
+          face_[on_face] = faces_;
       }
+      ++faces_;
     }
-    if (!joined) ++faces;
+    if (is_joined) continue;
+    std::fill(face_.begin() + first, face_.begin() + end, faces_);
+    ++faces_;
   }
   const std::uint32_t reached = new_stamp();
   std::vector<ArmIndex>& to_do = changed_;  // of no use any more where this is asked
   to_do.clear();
   for (const ArmIndex root : settled_list_) {
     if (seen_[table_.first_arm(root)] == reached) continue;
-    ++parts;
     seen_[table_.first_arm(root)] = reached;
     to_do.assign(1, root);
     while (!to_do.empty()) {
       const ArmIndex first = table_.first_arm(to_do.back());
       const ArmIndex size = table_.star_size(to_do.back());
+      part_[to_do.back()] = parts;
       to_do.pop_back();
       for (ArmIndex arm = first; arm < first + size; ++arm) {
         const ArmIndex to = across_settled(arm);
@@ -310,8 +317,43 @@ bool Folding::settled_places_are_planar() {
         to_do.push_back(table_.visit_of(to));
       }
     }
+    ++parts;
   }
-  return settled_list_.size() + faces == ends / 2 + 2 * parts;
+  faces_are_numbered_ = true;
+  return settled_list_.size() + faces_ == ends / 2 + 2 * parts;
+}
+
+void Folding::number_faces() {
+  if (axioms_.planar && !faces_are_numbered_) settled_places_are_planar();
+}
+
+bool Folding::may_stand_at(ArmIndex x, ArmIndex y) const {
+  if (!axioms_.planar) return true;
+  const ArmIndex first = table_.first_arm(table_.visit_of(x));
+  for (ArmIndex arm = first; arm < first + table_.star_size(table_.visit_of(x)); ++arm) {
+    const ArmIndex from = across_settled(arm);
+    if (from == none) continue;
+    const ArmIndex to = table_.clockwise(
+        y, (arm + table_.star_size(table_.visit_of(x)) - x) % table_.star_size(table_.visit_of(x)));
+    if (face_[from] != face_[to] && part_[table_.visit_of(from)] == part_[table_.visit_of(to)])
+      return false;
+  }
+  return true;
+}
+
+bool Folding::may_stand_apart(ArmIndex x) const {
+  if (!axioms_.planar) return true;
+  const ArmIndex first = table_.first_arm(table_.visit_of(x));
+  ArmIndex before = none;
+  for (ArmIndex arm = first; arm < first + table_.star_size(table_.visit_of(x)); ++arm) {
+    const ArmIndex from = across_settled(arm);
+    if (from == none) continue;
+    if (before != none && face_[from] != face_[before] &&
+        part_[table_.visit_of(from)] == part_[table_.visit_of(before)])
+      return false;
+    before = from;
+  }
+  return true;
 }
 
 bool Folding::settled_places_are_joined_once() const {

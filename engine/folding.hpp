@@ -90,6 +90,13 @@ class Folding {
         if (has(y, x) && !f(y)) return;
       }
   }
+  /// Planar maps alone: numbers the faces between settled places, for the two questions below.
+  void number_faces();
+  /// Whether the place of x, joined to settled places, can be that of y without crossing a segment
+  /// of settled places.
+  bool may_stand_at(ArmIndex x, ArmIndex y) const;
+  /// ... or be another than all that are settled.
+  bool may_stand_apart(ArmIndex x) const;
   /// Whether some of the arms in a set may be one with x.
   bool may_be_any(ArmIndex x, std::span<const std::uint64_t> arms) const {
     const std::uint64_t* const row = &may_be_[x * words_];
@@ -153,6 +160,10 @@ class Folding {
   std::vector<ArmIndex> changed_;    ///< visits, by what was identified last
   std::vector<std::uint32_t> seen_;  ///< of visits and of arms: the stamp of a pass
   std::uint32_t stamp_ = 0;
+  std::vector<std::uint32_t> face_;  ///< of a settled place's gateway without settled end: where
+  std::vector<std::uint32_t> part_;  ///< of a settled place: what is connected
+  std::uint32_t faces_ = 0;
+  bool faces_are_numbered_ = false;
 };
 
 }  // namespace asterism

@@ -91,17 +91,19 @@ void SearchWorker::expand() {
     if (rank > level_.limit()) return level_.refuse(rank);
     if (unsettled_.empty()) return level_.found(rank, folding_.named());
 
+    folding_.number_faces();
     std::uint64_t fewest = UINT64_MAX;
     ArmIndex narrowest = 0;
     bool may_differ = false;
     for (const ArmIndex visit : unsettled_) {
       const Preference::Rank settled_rank = preference_.rank(least_if_settled(least, visit));
-      const bool may_settle = settled_rank <= level_.limit();
-      if (!may_settle) level_.refuse(settled_rank);
+      const bool may_stand_apart = folding_.may_stand_apart(table_.first_arm(visit));
+      const bool may_settle = may_stand_apart && settled_rank <= level_.limit();
+      if (may_stand_apart && !may_settle) level_.refuse(settled_rank);
       const std::uint64_t visits = std::min<std::uint64_t>(folding_.visits_there(visit), 1023);
       std::uint64_t key = (may_settle ? 1024 : 0) - visits + 1024;
-      folding_.for_each_settled(table_.first_arm(visit), [&](ArmIndex) {
-        key += 1024;
+      folding_.for_each_settled(table_.first_arm(visit), [&](ArmIndex same) {
+        if (folding_.may_stand_at(table_.first_arm(visit), same)) key += 1024;
         return key < fewest;
       });
       if (key >= fewest) continue;
@@ -112,10 +114,11 @@ void SearchWorker::expand() {
     std::vector<Decision> next;
     const ArmIndex arm = table_.first_arm(narrowest);
     folding_.for_each_settled(arm, [&](ArmIndex same) {
-      next.push_back({arm, same});
+      if (folding_.may_stand_at(arm, same)) next.push_back({arm, same});
       return true;
     });
     if (may_differ) next.push_back({arm, std::nullopt});
+    if (next.empty()) return;
     if (next.size() > 1) return push(std::move(next));
     if (!decide(next.front())) return;
   }
