@@ -97,13 +97,15 @@ class Folding {
   bool may_stand_at(ArmIndex x, ArmIndex y) const;
   /// ... or be another than all that are settled.
   bool may_stand_apart(ArmIndex x) const;
-  /// Whether some of the arms in a set may be one with x.
+  /// Whether some of the arms in a set, of places not settled, may be one with x, of a settled one.
   bool may_be_any(ArmIndex x, std::span<const std::uint64_t> arms) const {
     const std::uint64_t* const row = &may_be_[x * words_];
     for (std::size_t w = 0; w < words_; ++w)
-      for (std::uint64_t rest = row[w] & arms[w]; rest != 0; rest &= rest - 1)
-        if (has(static_cast<ArmIndex>(w * 64 + static_cast<unsigned>(std::countr_zero(rest))), x))
-          return true;
+      for (std::uint64_t rest = row[w] & arms[w]; rest != 0; rest &= rest - 1) {
+        const auto y =
+            static_cast<ArmIndex>(w * 64 + static_cast<unsigned>(std::countr_zero(rest)));
+        if (has(y, x) && may_stand_at(y, x)) return true;
+      }
     return false;
   }
   std::size_t words() const { return words_; }

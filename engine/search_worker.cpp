@@ -86,12 +86,12 @@ bool SearchWorker::decide(const Decision& decision) {
 void SearchWorker::expand() {
   while (true) {
     if (!settle_what_differs()) return;
+    folding_.number_faces();
     const Extents least = least_extents();
     const Preference::Rank rank = preference_.rank(least);
     if (rank > level_.limit()) return level_.refuse(rank);
     if (unsettled_.empty()) return level_.found(rank, folding_.named());
 
-    folding_.number_faces();
     std::uint64_t fewest = UINT64_MAX;
     ArmIndex narrowest = 0;
     bool may_differ = false;
