@@ -27,7 +27,7 @@ constexpr std::size_t max_visits = 4'000;
 /// Between questions to the caller.
 constexpr double slice_s = 0.02;
 /// Of a search for some good map, before anything is proved.
-constexpr std::uint64_t first_look_branchings = 300;
+constexpr std::uint64_t first_look_branchings = 3'000;
 /// Before threads are worth their start.
 constexpr std::uint64_t branchings_alone = 500;
 
@@ -234,6 +234,8 @@ void MinimalSearch::Searching::look_first(const Branch& root) {
   SearchWorker& worker = workers.front();
   if (worker.take(root))
     for (std::uint64_t n = 0; n < first_look_branchings && !worker.is_idle(); ++n) worker.advance();
+  // No two places one: rarely good, always a map, unless it is assumed that some are.
+  if (level.models.empty() && !incumbent) worker.stand_apart();
   worker.clear();
   if (level.models.empty()) return;
   incumbent = level.models.front();

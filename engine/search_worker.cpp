@@ -45,6 +45,14 @@ void SearchWorker::advance() {
   if (decide(next)) expand();
 }
 
+void SearchWorker::stand_apart() {
+  clear();
+  for (ArmIndex visit = 0; visit < table_.visits(); ++visit)
+    if (folding_.represents(visit) && !decide({table_.first_arm(visit), std::nullopt})) return;
+  unsettled_.clear();
+  level_.found(preference_.rank(least_extents()), folding_.named());
+}
+
 std::optional<SearchState::Branch> SearchWorker::give() {
   std::size_t open = 0;
   for (const Frame& frame : frames_) open += frame.next.size() - frame.tried;

@@ -31,6 +31,9 @@ class SearchWorker {
   /// @pre  it is not idle
   void advance();
 
+  /// Tries the map in which no two places are one that need not be.
+  void stand_apart();
+
   /// Parts with the branch nearest to the root, if it keeps another.
   std::optional<SearchState::Branch> give();
   /// All that is yet to be tried.
