@@ -37,6 +37,7 @@ Verdict Folding::begin(std::span<const Assumption> assumptions, const Folding* b
   if (before != nullptr) know(*before);
 
   same_.clear();
+  differ_.clear();
   for (const Assumption& assumption : assumptions) {
     const auto one = static_cast<ArmIndex>(assumption.one.index());
     const auto other = static_cast<ArmIndex>(assumption.other.index());
@@ -45,6 +46,7 @@ Verdict Folding::begin(std::span<const Assumption> assumptions, const Folding* b
       same_.emplace_back(one, other);
     } else {
       if (one == other) return Verdict::inconsistent;
+      differ_.emplace_back(one, other);
       for (ArmIndex step = 0; step < table_.star_size(other); ++step)
         if (has(table_.first_arm(one), table_.first_arm(other) + step))
           forbid(table_.first_arm(one), table_.first_arm(other) + step);
@@ -155,8 +157,16 @@ bool Folding::go_on_identifying() {
         settled_[one] || (!settled_[other] && visits_there_[one] >= visits_there_[other]);
     unite(one_stays ? x : y, one_stays ? y : x);
   }
-  return std::ranges::all_of(
-      changed_, [&](ArmIndex visit) { return paths_are_lines(representative_visit(visit)); });
+  return differ_as_assumed() && std::ranges::all_of(changed_, [&](ArmIndex visit) {
+           return paths_are_lines(representative_visit(visit));
+         });
+}
+
+/// What may be one is asked of representatives, and forgets what two visits under them may not.
+bool Folding::differ_as_assumed() const {
+  return std::ranges::none_of(differ_, [&](const auto& visits) {
+    return representative_visit(visits.first) == representative_visit(visits.second);
+  });
 }
 
 /// The place of y becomes that of x.

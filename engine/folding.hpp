@@ -132,6 +132,7 @@ class Folding {
   void forbid(ArmIndex x, ArmIndex y);
   bool join(ArmIndex x, ArmIndex y);
   void know(const Folding& before);
+  bool differ_as_assumed() const;
   bool paths_are_lines(ArmIndex visit);
   bool is_line(ArmIndex arm);
   bool settled_places_agree();
@@ -146,8 +147,9 @@ class Folding {
 
   const ArmTable& table_;
   NativeEngine::Options axioms_;
-  std::vector<std::pair<ArmIndex, ArmIndex>> same_;  ///< visits assumed to be at one place
-  std::size_t words_;                                ///< of a set of arms
+  std::vector<std::pair<ArmIndex, ArmIndex>> same_;    ///< visits assumed to be at one place
+  std::vector<std::pair<ArmIndex, ArmIndex>> differ_;  ///< ... at two
+  std::size_t words_;                                  ///< of a set of arms
   std::vector<ArmIndex> above_;  ///< of a visit: what its arm 0 was identified with, of another
   std::vector<ArmIndex> visits_there_;
   std::vector<ArmIndex> across_;       ///< some arm at the other end of the travel

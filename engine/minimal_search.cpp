@@ -73,6 +73,14 @@ std::vector<Decision> different_places(const ArmTable& table, const Folding& fol
   return result;
 }
 
+/// By (visits, entered): places are numbered by first visit, which an arm tells.    [DESIGN §9]
+bool is_before(const Model& a, const Model& b, const ArmTable& table) {
+  const auto& [one, other] =
+      std::mismatch(a.begin(), a.end(), b.begin(),
+                    [&](ArmIndex x, ArmIndex y) { return table.visit_of(x) == table.visit_of(y); });
+  return one == a.end() ? a < b : *one < *other;
+}
+
 }  // namespace
 
 class MinimalSearch::Searching {
@@ -321,6 +329,9 @@ MinimalSearch::Outcome MinimalSearch::Searching::run(
     is_complete = !level.models.empty() || !next_level();
     if (!is_complete) continue;
     if (level.models.empty()) incumbent.reset();
+    // Threads find them in any order; they may differ in extents that nothing minimises.
+    std::ranges::sort(level.models,
+                      [&](const Model& a, const Model& b) { return is_before(a, b, table); });
     return Outcome::complete;
   }
 }
@@ -395,12 +406,8 @@ void MinimalSearch::for_each(const std::function<void(std::span<const Arrival>)>
   const std::span<const Model> models = searching_->best_models();
   std::vector<std::uint32_t> order(models.size());
   std::iota(order.begin(), order.end(), 0U);
-  // By (visits, entered): places are numbered by first visit, which an arm tells.    [DESIGN §9]
   std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
-    const auto& [one, other] = std::mismatch(
-        models[a].begin(), models[a].end(), models[b].begin(),
-        [&](ArmIndex x, ArmIndex y) { return table.visit_of(x) == table.visit_of(y); });
-    return one == models[a].end() ? models[a] < models[b] : *one < *other;
+    return is_before(models[a], models[b], table);
   });
   for (const std::uint32_t i : order) f(table.arrivals(models[i]));
 }
