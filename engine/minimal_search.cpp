@@ -26,52 +26,11 @@ using Model = SearchState::Model;
 constexpr std::size_t max_visits = 4'000;
 /// Between questions to the caller.
 constexpr double slice_s = 0.02;
-/// Of a search for some good map, before anything is proved.
-constexpr std::uint64_t first_look_branchings = 3'000;
+/// For some map, where the first slice did not end the search.
+constexpr std::uint64_t random_walks = 20;
+constexpr std::uint64_t random_walk_branchings = 400;
 /// Before threads are worth their start.
 constexpr std::uint64_t branchings_alone = 500;
-
-/// Places no two of which can be one, many of them: settled without branching.
-std::vector<Decision> different_places(const ArmTable& table, const Folding& folding) {
-  std::vector<ArmIndex> visits;
-  for (ArmIndex visit = 0; visit < table.visits(); ++visit)
-    if (folding.represents(visit)) visits.push_back(visit);
-  const std::size_t words = (visits.size() + 63) / 64;
-  std::vector<std::vector<std::uint64_t>> differ(visits.size(),
-                                                 std::vector<std::uint64_t>(words, 0));
-  for (std::size_t i = 0; i < visits.size(); ++i)
-    for (std::size_t j = 0; j < visits.size(); ++j) {
-      bool may_be_one = i == j;
-      const ArmIndex first = table.first_arm(visits[j]);
-      for (ArmIndex arm = first; arm < first + table.star_size(visits[j]) && !may_be_one; ++arm)
-        may_be_one = folding.may_be_one(table.first_arm(visits[i]), arm);
-      if (!may_be_one) differ[i][j / 64] |= std::uint64_t{1} << (j % 64);
-    }
-  // Greedy, from each in turn; the one that leaves most to choose from comes next.
-  constexpr std::size_t most_beginnings = 400;
-  std::vector<std::size_t> most;
-  for (std::size_t begin = 0; begin < std::min(visits.size(), most_beginnings); ++begin) {
-    std::vector<std::size_t> chosen{begin};
-    std::vector<std::uint64_t> left = differ[begin];
-    while (true) {
-      std::size_t best = visits.size();
-      int best_leaves = -1;
-      for (std::size_t i = 0; i < visits.size(); ++i) {
-        if ((left[i / 64] >> (i % 64) & 1) == 0) continue;
-        int leaves = 0;
-        for (std::size_t w = 0; w < words; ++w) leaves += std::popcount(left[w] & differ[i][w]);
-        if (leaves > best_leaves) best_leaves = leaves, best = i;
-      }
-      if (best == visits.size()) break;
-      chosen.push_back(best);
-      for (std::size_t w = 0; w < words; ++w) left[w] &= differ[best][w];
-    }
-    if (chosen.size() > most.size()) most = chosen;
-  }
-  std::vector<Decision> result;
-  for (const std::size_t i : most) result.push_back({table.first_arm(visits[i]), std::nullopt});
-  return result;
-}
 
 /// By (visits, entered): places are numbered by first visit, which an arm tells.    [DESIGN §9]
 bool is_before(const Model& a, const Model& b, const ArmTable& table) {
@@ -117,6 +76,7 @@ class MinimalSearch::Searching {
   bool is_begun = false;             ///< the folding is
   bool is_level_begun = false;
   bool is_resumed = false;  ///< from branches that nobody has looked at
+  bool has_looked_around = false;
   bool is_complete = false;
   std::uint64_t at_least = 0;
   std::optional<Model> incumbent;
@@ -129,7 +89,7 @@ class MinimalSearch::Searching {
     return NativeEngine::options(options.axioms, options.planar);
   }
   bool begin(const std::function<bool()>& go_on);
-  void look_first(const Branch& root);
+  void look_around(const std::function<bool()>& go_on);
   bool next_level();
   void check_branches();
   void make_workers(std::size_t count);
@@ -156,6 +116,7 @@ void MinimalSearch::Searching::extend(std::span<const Visit> visits) {
   forget_workers();
   is_begun = false;
   is_level_begun = false;
+  has_looked_around = false;
   is_complete = had_none;
   incumbent.reset();
   incumbent_rank = no_rank;
@@ -235,35 +196,41 @@ void MinimalSearch::Searching::forget_workers() {
   workers.clear();
 }
 
-/// Some map, quickly: something to show, and a limit for what is searched later.
-void MinimalSearch::Searching::look_first(const Branch& root) {
-  level.begin(incumbent ? incumbent_rank - 1 : no_rank - 1);
-  make_workers(1);
-  SearchWorker& worker = workers.front();
-  if (worker.take(root))
-    for (std::uint64_t n = 0; n < first_look_branchings && !worker.is_idle(); ++n) worker.advance();
+/// Some map: to be shown, and to limit what is searched. Worth it where the search takes long.
+///
+/// Where the narrowest place is decided first, a walk at random comes upon better maps; from the
+/// first visit outwards, it comes upon planar ones at all.
+void MinimalSearch::Searching::look_around(const std::function<bool()>& go_on) {
+  has_looked_around = true;
+  SearchLevel around;
+  around.begin(incumbent_rank - 1);
+  SearchWorker worker(table, preference, *folding, around);
+  for (std::uint64_t walk = 0; walk < random_walks && go_on(); ++walk) {
+    const bool from_first_visit = walk % 2 == 1;
+    const Deadline until = deadline_in(slice_s);
+    worker.wander(walk, from_first_visit);
+    worker.take(from_first_visit ? Branch{{}, {{0, std::nullopt}}} : first_branch(table, *folding));
+    for (std::uint64_t n = 0; n < random_walk_branchings && !worker.is_idle(); ++n) {
+      worker.advance();
+      if (n % 4 == 0 && is_over(until)) break;
+    }
+  }
   // No two places one: rarely good, always a map, unless it is assumed that some are.
-  if (level.models.empty() && !incumbent) worker.stand_apart();
-  worker.clear();
-  if (level.models.empty()) return;
-  incumbent = level.models.front();
-  incumbent_rank = level.best;
+  if (around.models.empty() && !incumbent) worker.stand_apart();
+  branchings_before += worker.branchings();
+  if (around.models.empty()) return;
+  incumbent = around.models.front();
+  incumbent_rank = around.best;
+  if (preference.first(incumbent_rank) == at_least) level.lower(incumbent_rank);
 }
 
 bool MinimalSearch::Searching::next_level() {
-  Branch root{different_places(table, *folding), {}};
-  root.next.push_back(root.decided.back());
-  root.decided.pop_back();
-  std::uint64_t first = at_least;
-  if (!is_level_begun) {
-    look_first(root);
-  } else {
+  if (is_level_begun) {
     if (level.refused() == no_rank) return false;
-    first = preference.first(level.refused());
+    at_least = preference.first(level.refused());
   }
-  at_least = first;
-  level.begin(std::min(preference.highest(first), incumbent_rank));
-  level.branches.push_back(std::move(root));
+  level.begin(std::min(preference.highest(at_least), incumbent_rank));
+  level.branches.push_back(first_branch(table, *folding));
   is_level_begun = true;
   return true;
 }
@@ -325,7 +292,10 @@ MinimalSearch::Outcome MinimalSearch::Searching::run(
   if (is_resumed) check_branches();
   while (true) {
     if (!goes_on()) return Outcome::stopped;
-    if (!search_slice()) continue;
+    if (!search_slice()) {
+      if (!has_looked_around) look_around(goes_on);
+      continue;
+    }
     is_complete = !level.models.empty() || !next_level();
     if (!is_complete) continue;
     if (level.models.empty()) incumbent.reset();

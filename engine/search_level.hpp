@@ -39,6 +39,10 @@ class SearchLevel {
     models.push_back(std::move(model));
   }
 
+  /// A map of this rank is known from elsewhere.
+  void lower(Preference::Rank limit) {
+    if (models.empty() && limit < limit_) limit_ = limit;
+  }
   void begin(Preference::Rank limit) {
     limit_ = limit;
     refused_ = no_rank;

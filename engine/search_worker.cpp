@@ -1,6 +1,7 @@
 #include "engine/search_worker.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace asterism {
@@ -51,6 +52,11 @@ void SearchWorker::stand_apart() {
     if (folding_.represents(visit) && !decide({table_.first_arm(visit), std::nullopt})) return;
   unsettled_.clear();
   level_.found(preference_.rank(least_extents()), folding_.named());
+}
+
+void SearchWorker::wander(std::uint64_t seed, bool from_settled) {
+  wandering_.emplace(seed);
+  wanders_from_settled_ = from_settled;
 }
 
 std::optional<SearchState::Branch> SearchWorker::give() {
@@ -110,6 +116,7 @@ void SearchWorker::expand() {
       if (may_stand_apart && !may_settle) level_.refuse(settled_rank);
       const std::uint64_t visits = std::min<std::uint64_t>(folding_.visits_there(visit), 1023);
       std::uint64_t key = (may_settle ? 1024 : 0) - visits + 1024;
+      if (wanders_from_settled_ && !hangs_on_settled(visit)) key += std::uint64_t{1} << 32;
       folding_.for_each_settled(table_.first_arm(visit), [&](ArmIndex same) {
         if (folding_.may_stand_at(table_.first_arm(visit), same)) key += 1024;
         return key < fewest;
@@ -125,11 +132,25 @@ void SearchWorker::expand() {
       if (folding_.may_stand_at(arm, same)) next.push_back({arm, same});
       return true;
     });
+    if (wandering_) shuffle(next);
     if (may_differ) next.push_back({arm, std::nullopt});
     if (next.empty()) return;
     if (next.size() > 1) return push(std::move(next));
     if (!decide(next.front())) return;
   }
+}
+
+bool SearchWorker::hangs_on_settled(ArmIndex visit) const {
+  const ArmIndex first = table_.first_arm(visit);
+  for (ArmIndex arm = first; arm < first + table_.star_size(visit); ++arm)
+    if (const ArmIndex to = folding_.across(arm);
+        to != Folding::none && folding_.is_settled(table_.visit_of(to)))
+      return true;
+  return false;
+}
+
+void SearchWorker::shuffle(std::vector<Decision>& next) {
+  for (std::size_t i = next.size(); i > 1; --i) std::swap(next[i - 1], next[below(i, *wandering_)]);
 }
 
 /// Settles every place that may be one with none settled. Lists the others.
@@ -200,6 +221,49 @@ Extents SearchWorker::least_if_settled(Extents least, ArmIndex visit) const {
   ++least.places;
   least.paths = (twice_paths_ + ends_[visit] + 1) / 2;
   return least;
+}
+
+SearchState::Branch first_branch(const ArmTable& table, const Folding& folding) {
+  std::vector<ArmIndex> visits;
+  for (ArmIndex visit = 0; visit < table.visits(); ++visit)
+    if (folding.represents(visit)) visits.push_back(visit);
+  const std::size_t words = (visits.size() + 63) / 64;
+  std::vector<std::vector<std::uint64_t>> differ(visits.size(),
+                                                 std::vector<std::uint64_t>(words, 0));
+  for (std::size_t i = 0; i < visits.size(); ++i)
+    for (std::size_t j = 0; j < visits.size(); ++j) {
+      bool may_be_one = i == j;
+      const ArmIndex first = table.first_arm(visits[j]);
+      for (ArmIndex arm = first; arm < first + table.star_size(visits[j]) && !may_be_one; ++arm)
+        may_be_one = folding.may_be_one(table.first_arm(visits[i]), arm);
+      if (!may_be_one) differ[i][j / 64] |= std::uint64_t{1} << (j % 64);
+    }
+  // Greedy, from each in turn; the one that leaves most to choose from comes next.
+  constexpr std::size_t most_beginnings = 400;
+  std::vector<std::size_t> most;
+  for (std::size_t begin = 0; begin < std::min(visits.size(), most_beginnings); ++begin) {
+    std::vector<std::size_t> chosen{begin};
+    std::vector<std::uint64_t> left = differ[begin];
+    while (true) {
+      std::size_t best = visits.size();
+      int best_leaves = -1;
+      for (std::size_t i = 0; i < visits.size(); ++i) {
+        if ((left[i / 64] >> (i % 64) & 1) == 0) continue;
+        int leaves = 0;
+        for (std::size_t w = 0; w < words; ++w) leaves += std::popcount(left[w] & differ[i][w]);
+        if (leaves > best_leaves) best_leaves = leaves, best = i;
+      }
+      if (best == visits.size()) break;
+      chosen.push_back(best);
+      for (std::size_t w = 0; w < words; ++w) left[w] &= differ[best][w];
+    }
+    if (chosen.size() > most.size()) most = chosen;
+  }
+  SearchState::Branch branch;
+  for (const std::size_t i : most) branch.decided.push_back({table.first_arm(visits[i]), {}});
+  branch.next.push_back(branch.decided.back());
+  branch.decided.pop_back();
+  return branch;
 }
 
 }  // namespace asterism

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/random.hpp"
 #include "core/search_state.hpp"
 #include "engine/arm_table.hpp"
 #include "engine/folding.hpp"
@@ -33,6 +34,9 @@ class SearchWorker {
 
   /// Tries the map in which no two places are one that need not be.
   void stand_apart();
+  /// From now on tries candidates in random order, and if told so, what hangs on settled places
+  /// before all else: to come upon some map, not to see all.
+  void wander(std::uint64_t seed, bool from_settled);
 
   /// Parts with the branch nearest to the root, if it keeps another.
   std::optional<SearchState::Branch> give();
@@ -52,6 +56,8 @@ class SearchWorker {
   void push(std::vector<Decision> next);
   bool decide(const Decision& decision);
   void expand();
+  bool hangs_on_settled(ArmIndex visit) const;
+  void shuffle(std::vector<Decision>& next);
   bool settle_what_differs();
   Extents least_extents();
   Extents least_if_settled(Extents least, ArmIndex visit) const;
@@ -67,6 +73,12 @@ class SearchWorker {
   std::vector<std::uint64_t> flexible_;  ///< arms travelled by, of unsettled places
   std::uint32_t twice_paths_ = 0;        ///< at least, as found last
   std::uint64_t branchings_ = 0;
+  std::optional<RandomEngine> wandering_;
+  bool wanders_from_settled_ = false;
 };
+
+/// Where a search begins: many places no two of which can be one, all of them settled.
+/// @pre  the trace has a visit
+SearchState::Branch first_branch(const ArmTable& table, const Folding& folding);
 
 }  // namespace asterism
