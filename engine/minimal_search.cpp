@@ -73,7 +73,8 @@ class MinimalSearch::Searching {
   ArmTable table;
   SearchLevel level;
   std::unique_ptr<Folding> folding;  ///< of the trace so far
-  bool is_begun = false;             ///< the folding is
+  Branch root;                       ///< where each level begins
+  bool is_begun = false;             ///< the folding and the root are
   bool is_level_begun = false;
   bool is_resumed = false;  ///< from branches that nobody has looked at
   bool has_looked_around = false;
@@ -184,6 +185,7 @@ bool MinimalSearch::Searching::begin(const std::function<bool()>& go_on) {
   folding = std::move(next);
   is_begun = true;
   is_complete = verdict == Verdict::inconsistent;
+  if (!is_complete) root = first_branch(table, *folding);
   return true;
 }
 
@@ -209,7 +211,7 @@ void MinimalSearch::Searching::look_around(const std::function<bool()>& go_on) {
     const bool from_first_visit = walk % 2 == 1;
     const Deadline until = deadline_in(slice_s);
     worker.wander(walk, from_first_visit);
-    worker.take(from_first_visit ? Branch{{}, {{0, std::nullopt}}} : first_branch(table, *folding));
+    worker.take(from_first_visit ? Branch{{}, {{0, std::nullopt}}} : root);
     for (std::uint64_t n = 0; n < random_walk_branchings && !worker.is_idle(); ++n) {
       worker.advance();
       if (n % 4 == 0 && is_over(until)) break;
@@ -230,7 +232,7 @@ bool MinimalSearch::Searching::next_level() {
     at_least = preference.first(level.refused());
   }
   level.begin(std::min(preference.highest(at_least), incumbent_rank));
-  level.branches.push_back(first_branch(table, *folding));
+  level.branches.push_back(root);
   is_level_begun = true;
   return true;
 }

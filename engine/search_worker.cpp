@@ -238,10 +238,13 @@ SearchState::Branch first_branch(const ArmTable& table, const Folding& folding) 
         may_be_one = folding.may_be_one(table.first_arm(visits[i]), arm);
       if (!may_be_one) differ[i][j / 64] |= std::uint64_t{1} << (j % 64);
     }
-  // Greedy, from each in turn; the one that leaves most to choose from comes next.
-  constexpr std::size_t most_beginnings = 400;
+  // Greedy, from each in turn, while that is quick; the one that leaves most to choose from is
+  // next.
+  constexpr std::size_t quick = 2'000'000;
+  const std::size_t beginnings =
+      std::clamp(quick / (visits.size() * words), std::size_t{1}, visits.size());
   std::vector<std::size_t> most;
-  for (std::size_t begin = 0; begin < std::min(visits.size(), most_beginnings); ++begin) {
+  for (std::size_t begin = 0; begin < beginnings; ++begin) {
     std::vector<std::size_t> chosen{begin};
     std::vector<std::uint64_t> left = differ[begin];
     while (true) {
