@@ -200,6 +200,7 @@ void Folding::unite(ArmIndex x, ArmIndex y) {
 
 bool Folding::settle(ArmIndex arm) {
   const ArmIndex visit = table_.visit_of(representative(arm));
+  if (settled_[visit]) return false;
   settled_[visit] = true;
   settled_list_.push_back(visit);
   const ArmIndex first = table_.first_arm(visit);

@@ -46,8 +46,7 @@ class Folding {
   /// @return false at a contradiction; what was done until then is to be undone
   bool identify(ArmIndex x, ArmIndex y);
   /// The place of this arm differs from all that are settled.
-  /// @pre  it is not settled
-  /// @return false at a contradiction
+  /// @return false at a contradiction, also if it is settled
   bool settle(ArmIndex arm);
 
   Mark mark() const { return done_.size(); }

@@ -118,6 +118,7 @@ void MinimalSearch::Searching::extend(std::span<const Visit> visits) {
   is_begun = false;
   is_level_begun = false;
   has_looked_around = false;
+  is_resumed = false;
   is_complete = had_none;
   incumbent.reset();
   incumbent_rank = no_rank;
@@ -273,14 +274,21 @@ bool MinimalSearch::Searching::search_slice() {
          std::ranges::all_of(workers, [](const SearchWorker& worker) { return worker.is_idle(); });
 }
 
-/// @throws std::invalid_argument if one cannot be of this search
+/// A search that was extended otherwise knows more of some visits, less of others. Where what was
+/// decided there contradicts what is known here, the level is begun again.
 void MinimalSearch::Searching::check_branches() {
-  make_workers(1);
-  for (const Branch& branch : level.branches)
-    if (!workers.front().take(branch))
-      throw std::invalid_argument("a branch contradicts the trace");
-  workers.front().clear();
   is_resumed = false;
+  make_workers(1);
+  const bool hold = std::ranges::all_of(
+      level.branches, [&](const Branch& branch) { return workers.front().take(branch); });
+  workers.front().clear();
+  if (hold) return;
+  if (!level.models.empty()) {
+    incumbent = level.models.front();
+    incumbent_rank = level.best;
+  }
+  is_level_begun = false;
+  next_level();
 }
 
 MinimalSearch::Outcome MinimalSearch::Searching::run(
