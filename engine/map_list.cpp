@@ -5,17 +5,15 @@ namespace asterism {
 MapList all_maps(const MapTree& tree) {
   return {tree.trace(), tree.options().axioms, tree.options().planar, tree.size(),
           [&tree](const auto& f) {
-            tree.for_each_while(
-                [&](HypothesisId, std::span<const Arrival> map) { return f(map); });
+            tree.for_each_while([&](HypothesisId, std::span<const Arrival> map) { return f(map); });
           }};
 }
 
 MapList minimal_maps(const MapTree& tree) {
   return {tree.trace(), tree.options().axioms, tree.options().planar, tree.minimal().size(),
           [&tree](const auto& f) {
-            tree.for_each_while(tree.minimal(), [&](HypothesisId, std::span<const Arrival> map) {
-              return f(map);
-            });
+            tree.for_each_while(tree.minimal(),
+                                [&](HypothesisId, std::span<const Arrival> map) { return f(map); });
           }};
 }
 

@@ -25,8 +25,6 @@ using Branch = SearchState::Branch;
 using Model = SearchState::Model;
 
 constexpr Rank no_rank = UINT64_MAX;
-/// A row of bits for every arm, of as many bits.
-constexpr std::size_t max_visits = 4'000;
 /// Between questions to the caller.
 constexpr double slice_s = 0.02;
 /// Of a search for some good map, before anything is proved.
