@@ -112,8 +112,7 @@ class Twins {
     kinds_ = finer.size();
   }
   bool has_earlier(std::size_t row) const {
-    return are_possible() &&
-           std::ranges::count(std::span(kind_).first(row), kind_[row]) > 0;
+    return are_possible() && std::ranges::count(std::span(kind_).first(row), kind_[row]) > 0;
   }
 
  private:
@@ -224,9 +223,9 @@ class Search {
     return ends;
   }
 
-  /// Lists the exits found, none of them twice. Among all maps of a trace there are no twins: one of
-  /// them is that in which no open gateway ever led back to a place known, and its segments, which
-  /// all maps have, are a tree. But minimal models may have loops in common.
+  /// Lists the exits found, none of them twice. Among all maps of a trace there are no twins: one
+  /// of them is that in which no open gateway ever led back to a place known, and its segments,
+  /// which all maps have, are a tree. But minimal models may have loops in common.
   ///
   /// @return  where to look out next
   std::vector<Turns> take(std::vector<Exit>& exits) {

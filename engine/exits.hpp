@@ -46,8 +46,9 @@ struct Exits {
   bool complete = true;     ///< whether there is no more exit beyond the bounds
 };
 
-/// The exits that a robot can go to now, if one of these maps is right. Those that tell nothing are listed only where they are one
-/// travel away. Holds no map, and goes once through them for each travel.
+/// The exits that a robot can go to now, if one of these maps is right. Those that tell nothing are
+/// listed only where they are one travel away. Holds no map, and goes once through them for each
+/// travel.
 ///
 /// @param go_on  asked now and then, with the maps looked at in this turn; may be empty
 /// @return  nothing if go_on said to stop

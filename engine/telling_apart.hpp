@@ -36,8 +36,7 @@ struct TellingApart {
 TellingApart tell_apart(const MapList& models, std::size_t most_numbers = default_most_numbers,
                         const std::function<bool()>& go_on = {});
 /// Of the minimal models of a tree.
-inline TellingApart tell_apart(const MapTree& tree,
-                               std::size_t most_numbers = default_most_numbers,
+inline TellingApart tell_apart(const MapTree& tree, std::size_t most_numbers = default_most_numbers,
                                const std::function<bool()>& go_on = {}) {
   return tell_apart(minimal_maps(tree), most_numbers, go_on);
 }
