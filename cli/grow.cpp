@@ -17,6 +17,36 @@ namespace {
 
 constexpr std::uint64_t most_maps_in_chart = 10'000'000;
 
+MapReport empty_report(const MapCommand& command, const AxiomSet& axioms,
+                       std::optional<std::string> stopped_by) {
+  MapReport report;
+  report.options = command.options;
+  report.options.preference = axioms.preference();
+  report.stopped_by = std::move(stopped_by);
+  report.complete = !report.stopped_by;
+  return report;
+}
+
+/// @param may_be_refuted  since the solver owes answers: given more time, it may well refute
+/// @throws std::logic_error if the solver refutes the models otherwise
+void add_minimal(MapReport& report, const Trace& trace,
+                 const std::vector<std::vector<Arrival>>& models, const MapCommand& command,
+                 const AxiomSet& axioms, Progress& progress, bool may_be_refuted) {
+  for (const auto& model : models) report.maps.push_back(make_map(trace, model));
+  report.minimal = {.paths = report.maps.front().paths.size(),
+                    .places = report.maps.front().places.size(),
+                    .count = models.size(),
+                    .certified = false};
+  if (command.options.certify_s > 0) {
+    progress.grown("certifying the minimal models");
+    const Certificate certificate = certify(trace, axioms, command.options.planar, models,
+                                            command.options.certify_s, command.options.assumptions);
+    if (certificate == Certificate::refuted && !may_be_refuted)
+      throw std::logic_error("the solver refutes the minimal models");
+    report.minimal->certified = certificate == Certificate::shown;
+  }
+}
+
 }  // namespace
 
 std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
@@ -39,36 +69,32 @@ std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapComm
   return std::nullopt;
 }
 
+std::string undecided_text(const MapTree& tree) {
+  return fmt::format("{} candidates undecided by the solver", tree.undecided());
+}
+
 MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomSet& axioms,
                     std::optional<std::string> stopped_by, Progress& progress) {
-  MapReport report;
-  report.options = command.options;
-  report.options.preference = axioms.preference();
+  if (!stopped_by && tree.undecided() > 0) stopped_by = undecided_text(tree);
+  MapReport report = empty_report(command, axioms, std::move(stopped_by));
   report.per_visit = std::vector(tree.per_visit().begin(), tree.per_visit().end());
   if (report.per_visit->empty()) report.per_visit.reset();
-  report.stopped_by = std::move(stopped_by);
-  if (!report.stopped_by && tree.undecided() > 0)
-    report.stopped_by = fmt::format("{} candidates undecided by the solver", tree.undecided());
-  report.complete = !report.stopped_by;
   if (tree.trace().visits.size() < command.visits) return report;
-
   report.consistent = tree.size();
-  if (tree.size() == 0) return report;
-  const auto models = minimal_models(tree);
-  for (const auto& model : models) report.maps.push_back(make_map(tree.trace(), model));
-  report.minimal = {.paths = report.maps.front().paths.size(),
-                    .places = report.maps.front().places.size(),
-                    .count = models.size(),
-                    .certified = false};
-  if (command.options.certify_s > 0) {
-    progress.grown("certifying the minimal models");
-    const Certificate certificate = certify(tree.trace(), axioms, command.options.planar, models,
-                                            command.options.certify_s, command.options.assumptions);
-    // What was kept undecided may well be refuted, given more time.
-    if (certificate == Certificate::refuted && tree.undecided() == 0)
-      throw std::logic_error("the solver refutes the minimal models of the tree");
-    report.minimal->certified = certificate == Certificate::shown;
-  }
+  if (tree.size() > 0)
+    add_minimal(report, tree.trace(), minimal_models(tree), command, axioms, progress,
+                tree.undecided() > 0);
+  return report;
+}
+
+MapReport report_of(const MinimalSearch& search, const MapCommand& command, const AxiomSet& axioms,
+                    std::optional<std::string> stopped_by, Progress& progress) {
+  MapReport report = empty_report(command, axioms, std::move(stopped_by));
+  if (!search.is_complete()) return report;
+  if (search.bounds().count == 0)
+    report.consistent = 0;
+  else
+    add_minimal(report, search.trace(), search.models(), command, axioms, progress, false);
   return report;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/progress.hpp"
 #include "core/map_report.hpp"
 #include "engine/map_tree.hpp"
+#include "engine/minimal_search.hpp"
 
 namespace asterism {
 
@@ -18,9 +19,16 @@ namespace asterism {
 std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
                                 Progress& progress);
 
+/// Why the whole tree was not decided, where the solver owes answers.
+std::string undecided_text(const MapTree& tree);
+
 /// What a grown tree says of a trace, its minimal models certified if there is time for it.
 /// @throws std::logic_error if the solver refutes them
 MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomSet& axioms,
+                    std::optional<std::string> stopped_by, Progress& progress);
+
+/// The same of a search for the minimal models. One that was stopped has none to report.
+MapReport report_of(const MinimalSearch& search, const MapCommand& command, const AxiomSet& axioms,
                     std::optional<std::string> stopped_by, Progress& progress);
 
 /// How many maps each visit leaves, under the other view on planarity: for the chart, whose curve

@@ -203,7 +203,8 @@ result that cannot be written.)");
       ->capture_default_str();
   run.add_option_function<std::string>(
          "--rank", [&](const std::string& which) { command.only_minimal = which == "minimal"; },
-         "Rank all maps, or the minimal models alone [all]")
+         "Rank all maps, or the minimal models alone: these are searched for, and the others not "
+         "counted, unless --max-hypotheses has them all listed [all]")
       ->check(CLI::IsMember({"all", "minimal"}));
   add_gateway_width(run, command.detector);
   run.add_option("--resolution", command.resolution_m, "Side of a cell of the global map")
@@ -226,7 +227,12 @@ result that cannot be written.)");
       ->type_name("S")
       ->check(seconds);
   run.add_flag("--json", command.json, "Print a summary as JSON");
-  run.callback([&] { chosen = [&] { return run_command(command); }; });
+  run.callback([&] {
+    // The default is for listing; what is asked for has the maps listed.
+    if (command.only_minimal && run.get_option("--max-hypotheses")->count() == 0)
+      command.maps.max_hypotheses.reset();
+    chosen = [&] { return run_command(command); };
+  });
 }
 
 void add_evaluate(CLI::App& app, EvaluateCommand& command, std::function<int()>& chosen) {

@@ -89,11 +89,16 @@ std::string report_text(const MapReport& report, std::size_t visits, std::size_t
       text += "\n";
   }
   if (report.consistent) {
+    const auto explained = [&] {
+      return report.per_visit
+                 ? static_cast<std::size_t>(std::ranges::find(*report.per_visit, std::uint64_t{0}) -
+                                            report.per_visit->begin())
+                 : report.explained_visits.value_or(0);
+    };
     if (*report.consistent == 0)
       text += fmt::format("no {}map explains the trace{}: none is left after visit {}\n", planar,
                           report.options.assumptions.empty() ? "" : " under these assumptions",
-                          std::find(report.per_visit->begin(), report.per_visit->end(), 0U) -
-                              report.per_visit->begin());
+                          explained());
     else
       text += fmt::format("{} {} the trace\n", counted(*report.consistent, planar + "map"),
                           *report.consistent == 1 ? "explains" : "explain");

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <functional>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cli/asked_maps.hpp"
 #include "cli/exits_svg.hpp"
-#include "cli/grow.hpp"
 #include "cli/map_parts.hpp"
 #include "cli/progress.hpp"
 #include "core/error.hpp"
@@ -83,19 +82,26 @@ void print_telling_apart(const Visit& last, std::size_t models, const TellingApa
                    "having been tried");
 }
 
-void print(const NextCommand& command, const Trace& trace, const MapTree& tree,
+void print(const NextCommand& command, const Trace& trace, const AskedMaps& maps,
            const NextReport& report) {
-  if (report.stopped_by) return fmt::print("undecided, stopped by {}\n", *report.stopped_by);
+  if (report.stopped_by) {
+    fmt::print("undecided, stopped by {}\n", *report.stopped_by);
+    if (!command.only_minimal)
+      fmt::print("(--over minimal needs the minimal models alone, not every map)\n");
+    return;
+  }
   if (!report.exits)
     return fmt::print("no map explains the trace: none is left after visit {}\n",
-                      std::ranges::find(tree.per_visit(), 0U) - tree.per_visit().begin());
+                      maps.explained_visits());
   const Visit& last = trace.visits.back();
-  const bool is_one = tree.size() == 1;
-  fmt::print("{} {} the trace; the robot is where visit {} was, {}\n",
-             counted(tree.size(), command.map.options.planar ? "planar map" : "map"),
-             is_one ? "explains" : "explain", trace.visits.size() - 1, last.star.text());
+  const std::uint64_t size = maps.list().size;
+  const std::string noun = std::string(command.map.options.planar ? "planar " : "") +
+                           (command.only_minimal ? "minimal model" : "map");
+  fmt::print("{} {} the trace; the robot is where visit {} was, {}\n", counted(size, noun),
+             size == 1 ? "explains" : "explain", trace.visits.size() - 1, last.star.text());
+  if (command.only_minimal) fmt::print("(counted below are the minimal models alone)\n");
   print_exits(last, *report.exits);
-  print_telling_apart(last, tree.minimal().size(), report.apart);
+  print_telling_apart(last, maps.minimal().size, report.apart);
 }
 
 Json json_of(const Visit& last, const Exit& exit) {
@@ -129,7 +135,7 @@ Json json_of(const Visit& last, const TellingApart& apart) {
 
 /// An exit a line.
 void write_json(std::ostream& out, const NextCommand& command, const Trace& trace,
-                const MapTree& tree, const NextReport& report) {
+                const AskedMaps& maps, const NextReport& report) {
   const MapOptions& options = command.map.options;
   const Visit& last = trace.visits.back();
   Json head{{"format", "asterism/exits"}, {"version", 1}, {"trace", trace.name}};
@@ -137,12 +143,14 @@ void write_json(std::ostream& out, const NextCommand& command, const Trace& trac
                      {"check", options.check},
                      {"axioms", options.axioms},
                      {"optional_axioms", options.optional_axioms},
-                     {"max_travels", command.bounds.travels}};
-  head["consistent"] = report.stopped_by ? Json() : Json(tree.size());
+                     {"max_travels", command.bounds.travels},
+                     {"over", command.only_minimal ? "minimal" : "all"}};
+  head["consistent"] = Json();
+  if (!report.stopped_by && maps.consistent()) head["consistent"] = *maps.consistent();
   head["complete"] = !report.stopped_by;
   if (report.stopped_by) head["stopped_by"] = *report.stopped_by;
   head["more_exits"] = report.exits ? Json(!report.exits->complete) : Json();
-  head["minimal"] = report.stopped_by ? Json() : Json(tree.minimal().size());
+  head["minimal"] = report.stopped_by ? Json() : Json(maps.minimal().size);
   head["tell_apart"] = report.exits ? json_of(last, report.apart) : Json();
   const std::string text = head.dump();
   out << std::string_view(text).substr(0, text.size() - 1) << ",\n  \"exits\": ";
@@ -158,28 +166,29 @@ void write_json(std::ostream& out, const NextCommand& command, const Trace& trac
   out << "]}\n";
 }
 
-std::string picture(const NextCommand& command, const Trace& trace, const MapTree& tree,
+std::string picture(const NextCommand& command, const Trace& trace, const AskedMaps& maps,
                     const Exits& found) {
   std::vector<NamedExit> named;
   for (const Exit& exit : found.exits)
     named.push_back({text_of(trace.visits.back(), exit.turns), exit});
   const std::string title =
       fmt::format("{}: ways on from visit {}{}", trace.name, trace.visits.size() - 1,
-                  command.map.options.planar ? ", planar maps" : "");
-  return exits_svg(title, named, tree.size());
+                  command.only_minimal         ? ", minimal models"
+                  : command.map.options.planar ? ", planar maps"
+                                               : "");
+  return exits_svg(title, named, maps.list().size);
 }
 
-/// Grows the tree and looks out from its maps, as far as the limits let it.
-void look_out(const NextCommand& command, const Trace& trace, MapTree& tree, Progress& progress,
+/// Finds the maps and looks out from them, as far as the limits let it.
+void look_out(const NextCommand& command, const Trace& trace, AskedMaps& maps, Progress& progress,
               NextReport& report) {
-  report.stopped_by = grow(tree, trace, command.map, progress);
-  if (!report.stopped_by && tree.undecided() > 0)
-    report.stopped_by = fmt::format("{} candidates undecided by the solver", tree.undecided());
-  if (report.stopped_by || tree.size() == 0) return;
-  const auto go_on = [&](std::uint64_t maps) { return progress(trace.visits.size() - 1, maps); };
-  report.exits = exits(tree, command.bounds, go_on);
+  report.stopped_by = maps.find();
+  if (report.stopped_by || maps.list().size == 0) return;
+  const auto go_on = [&](std::uint64_t seen) { return progress(trace.visits.size() - 1, seen); };
+  report.exits = exits(maps.list(), command.bounds, go_on);
   if (report.exits)
-    report.apart = tell_apart(tree, default_most_numbers, [&] { return go_on(tree.size()); });
+    report.apart = tell_apart(maps.minimal(), default_most_numbers,
+                              [&, size = maps.list().size] { return go_on(size); });
   if (!report.exits || report.apart.answer == TellingApart::Answer::stopped) {
     report.stopped_by = progress.stopped_by();
     report.exits.reset();
@@ -197,20 +206,18 @@ int next_command(const NextCommand& given) {
                      "those, since the native engine counts what may be seen and knows no others");
 
   Progress progress(trace.visits.size(), command.map.options.time_limit_s);
-  MapTree::Options options = tree_options(command.map, axioms);
-  options.go_on = std::ref(progress);
-  MapTree tree(std::move(options));
+  AskedMaps maps(command.map, axioms, trace, command.only_minimal, progress);
   NextReport report;
-  look_out(command, trace, tree, progress, report);
+  look_out(command, trace, maps, progress, report);
 
   if (command.svg && report.exits)
-    write_atomically(*command.svg, picture(command, trace, tree, *report.exits));
-  const auto write = [&](std::ostream& out) { write_json(out, command, trace, tree, report); };
+    write_atomically(*command.svg, picture(command, trace, maps, *report.exits));
+  const auto write = [&](std::ostream& out) { write_json(out, command, trace, maps, report); };
   if (command.map.json == "-") {
     write(std::cout);
   } else {
     if (command.map.json) write_atomically(*command.map.json, write);
-    print(command, trace, tree, report);
+    print(command, trace, maps, report);
   }
   if (report.stopped_by) return exit_undecided;
   return report.exits ? exit_consistent : exit_inconsistent;

@@ -63,6 +63,7 @@ struct VerifyCommand {
 struct NextCommand {
   MapCommand map;  ///< what maps to go on from
   ExitBounds bounds;
+  bool only_minimal = false;
   std::optional<std::string> svg;
 };
 

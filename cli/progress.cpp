@@ -34,6 +34,23 @@ Progress::~Progress() {
 }
 
 bool Progress::operator()(std::size_t visit, std::uint64_t hypotheses) {
+  return goes_on([&] {
+    return fmt::format("{} maps of the visits up to {} of {} so far", hypotheses, visit,
+                       visits_ - 1);
+  });
+}
+
+bool Progress::searched(const MinimalSearch& search) {
+  return goes_on([&] {
+    const auto [at_least, best, count] = search.bounds();
+    std::string text =
+        fmt::format("{}s >= {} proved", search.options().axioms.preference().front(), at_least);
+    if (best) text += fmt::format("; best so far {} paths, {} places", best->paths, best->places);
+    return text;
+  });
+}
+
+bool Progress::goes_on(const std::function<std::string()>& found) {
   const auto now = Clock::now();
   const double elapsed_s = std::chrono::duration<double>(now - begin_).count();
   if (interrupted != 0) stopped_by_ = "interrupt";
@@ -43,8 +60,7 @@ bool Progress::operator()(std::size_t visit, std::uint64_t hypotheses) {
                     : is_terminal_   ? std::chrono::milliseconds(between_lines_on_terminal)
                                      : std::chrono::milliseconds(between_lines);
   if (now - shown_ >= wait) {
-    show(fmt::format("{:.0f} s: {} maps of the visits up to {} of {} so far", elapsed_s, hypotheses,
-                     visit, visits_ - 1));
+    show(fmt::format("{:.0f} s: {}", elapsed_s, found()));
     shown_ = now;
   }
   return true;

@@ -2,8 +2,11 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+
+#include "engine/minimal_search.hpp"
 
 namespace asterism {
 
@@ -16,6 +19,8 @@ class Progress {
 
   /// @return whether to go on
   bool operator()(std::size_t visit, std::uint64_t hypotheses);
+  /// The same of a search for minimal models.
+  bool searched(const MinimalSearch& search);
   /// Growing is over: an interrupt ends the program from now on. Tells what goes on, if the run has
   /// been long.
   void grown(const std::string& what_now);
@@ -25,6 +30,7 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
+  bool goes_on(const std::function<std::string()>& found);
   void show(const std::string& line);
 
   std::size_t visits_;

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "cli/grow.hpp"
+#include "cli/asked_maps.hpp"
 #include "cli/map_parts.hpp"
 #include "cli/progress.hpp"
 #include "cli/query_parts.hpp"
@@ -59,7 +58,7 @@ void print_solved(const QueryCommand& command, const QueryReport& report) {
                command.map.options.assumptions.empty() ? "" : " under these assumptions");
 }
 
-void print(const QueryCommand& command, const MapTree& tree, const QueryReport& report) {
+void print(const QueryCommand& command, const AskedMaps& maps, const QueryReport& report) {
   const std::vector<Assumption>& assumptions = command.map.options.assumptions;
   for (std::size_t i = 0; i < report.queries.size(); ++i) {
     const std::string text = one_line(report.queries[i].text);
@@ -74,10 +73,9 @@ void print(const QueryCommand& command, const MapTree& tree, const QueryReport& 
     fmt::print("  it holds with visits at places {}\n", visits_text(*answer.witness));
     fmt::print("  it fails with visits at places {}\n", visits_text(*answer.counterexample));
   }
-  if (report.answers && tree.size() == 0)
+  if (report.answers && maps.consistent() == 0)
     fmt::print("no map explains the trace{}: none is left after visit {}\n",
-               assumptions.empty() ? "" : " under these assumptions",
-               std::ranges::find(tree.per_visit(), 0U) - tree.per_visit().begin());
+               assumptions.empty() ? "" : " under these assumptions", maps.explained_visits());
 }
 
 Json json_of(const Query& query, const Answer* answer) {
@@ -105,7 +103,7 @@ Json json_of(const Query& query, const SolverAnswer& answer) {
 
 /// A query a line.
 void write_json(std::ostream& out, const QueryCommand& command, const Trace& trace,
-                const MapTree& tree, const QueryReport& report) {
+                const AskedMaps& maps, const QueryReport& report) {
   const MapOptions& options = command.map.options;
   Json head{{"format", "asterism/answers"}, {"version", 1}, {"trace", trace.name}};
   head["options"] = {{"planar", options.planar},
@@ -113,10 +111,13 @@ void write_json(std::ostream& out, const QueryCommand& command, const Trace& tra
                      {"axioms", options.axioms},
                      {"optional_axioms", options.optional_axioms},
                      {"over", command.only_minimal ? "minimal" : "all"},
-                     {"by", command.by_solver ? "solver" : "enumeration"}};
+                     {"by", command.by_solver     ? "solver"
+                            : maps.are_searched() ? "search"
+                                                  : "enumeration"}};
   for (const Assumption& assumption : options.assumptions)
     head["options"]["assumptions"].push_back(text_of(assumption));
-  head["consistent"] = report.answers ? Json(tree.size()) : Json();
+  head["consistent"] = Json();
+  if (report.answers && maps.consistent()) head["consistent"] = *maps.consistent();
   head["complete"] = is_complete(report);
   if (report.stopped_by) head["stopped_by"] = *report.stopped_by;
   const std::string text = head.dump();
@@ -133,17 +134,13 @@ void write_json(std::ostream& out, const QueryCommand& command, const Trace& tra
   out << "}\n";
 }
 
-/// Grows the tree and asks it, as far as the limits let it.
-void find_answers(const QueryCommand& command, const Trace& trace, MapTree& tree,
-                  Progress& progress, QueryReport& report) {
-  report.stopped_by = grow(tree, trace, command.map, progress);
-  if (!report.stopped_by && tree.undecided() > 0)
-    report.stopped_by = fmt::format("{} candidates undecided by the solver", tree.undecided());
+/// Finds the maps and asks them, as far as the limits let it.
+void find_answers(const Trace& trace, AskedMaps& maps, Progress& progress, QueryReport& report) {
+  report.stopped_by = maps.find();
   if (report.stopped_by) return;
-  const auto go_on = [&](std::uint64_t maps) { return progress(trace.visits.size() - 1, maps); };
-  report.answers = ask(tree, report.queries, command.only_minimal, go_on);
-  if (report.answers && !find_routes(tree, command.only_minimal, go_on, report.routes))
-    report.answers.reset();
+  const auto go_on = [&](std::uint64_t asked) { return progress(trace.visits.size() - 1, asked); };
+  report.answers = ask(maps.list(), report.queries, go_on);
+  if (report.answers && !find_routes(maps.list(), go_on, report.routes)) report.answers.reset();
   if (!report.answers) report.stopped_by = progress.stopped_by();
 }
 
@@ -196,17 +193,15 @@ int query_command(const QueryCommand& given) {
   const AxiomSet axioms = read_axioms(command.map);
 
   Progress progress(trace.visits.size(), command.map.options.time_limit_s);
-  MapTree::Options options = tree_options(command.map, axioms);
-  options.go_on = std::ref(progress);
-  MapTree tree(std::move(options));
+  AskedMaps maps(command.map, axioms, trace, command.only_minimal, progress);
   if (command.by_solver) {
     progress.grown("asking the solver");
     ask_solver(command, trace, axioms, report);
   } else {
-    find_answers(command, trace, tree, progress, report);
+    find_answers(trace, maps, progress, report);
   }
 
-  const auto write = [&](std::ostream& out) { write_json(out, command, trace, tree, report); };
+  const auto write = [&](std::ostream& out) { write_json(out, command, trace, maps, report); };
   if (command.map.json == "-") {
     write(std::cout);
   } else {
@@ -216,7 +211,7 @@ int query_command(const QueryCommand& given) {
       print_solved(command, report);
     } else {
       print_routes(command, trace, report.routes, report.stopped_by);
-      print(command, tree, report);
+      print(command, maps, report);
     }
   }
   return exit_code(report);

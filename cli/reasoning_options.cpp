@@ -8,10 +8,10 @@
 namespace asterism {
 namespace {
 
-void add_over(CLI::App& app, bool& only_minimal) {
+void add_over(CLI::App& app, bool& only_minimal, const std::string& what) {
   app.add_option_function<std::string>(
          "--over", [&](const std::string& which) { only_minimal = which == "minimal"; },
-         "Ask all maps, or the minimal models alone [all]")
+         what + " [all]")
       ->check(CLI::IsMember({"all", "minimal"}));
 }
 
@@ -34,7 +34,9 @@ trace does not have, 70 internal fault or a result that cannot be written.)");
   add_check(query, command.map.options);
   add_assumptions(query, command.map.assume);
   query.add_option("queries", command.queries, "Queries, each one argument")->required();
-  add_over(query, command.only_minimal);
+  add_over(query, command.only_minimal,
+           "Ask all maps, or the minimal models alone: these are searched for, however many maps "
+           "there are, unless --max-hypotheses or --check has them all listed");
   query
       .add_option_function<std::string>(
           "--by", [&](const std::string& way) { command.by_solver = way == "solver"; },
@@ -69,7 +71,7 @@ cannot be written.)");
   add_maps_of_trace(explain, command.map);
   add_assumptions(explain, command.map.assume);
   explain.add_option("query", command.query, "The query, one argument")->required();
-  add_over(explain, command.only_minimal);
+  add_over(explain, command.only_minimal, "Ask all maps, or the minimal models alone");
   explain
       .add_option("--json", command.map.json, "Write the explanation as JSON; -: alone on stdout")
       ->type_name("FILE");
@@ -117,6 +119,7 @@ void add_next(CLI::App& app, NextCommand& command, std::function<int()>& chosen)
   next.footer(R"(Examples:
   asterism next examples/aces-stubs.trace.json --planar
   asterism next drive.trace.json --max-travels 6 --svg exits.svg
+  asterism next long-drive.trace.json --over minimal
   asterism next drive.trace.json --json - | jq '.exits[0]'
 An exit is an arm to leave the last visit by, and where more travels follow, for each how many arms
 clockwise of the one come in by the robot leaves: 0 leads back. docs/next.md tells what is expected.
@@ -124,6 +127,9 @@ Exit code: 0 there is a map, 1 none explains the trace, 2 stopped by a limit or 
 65 bad input, 70 internal fault or a result that cannot be written.)");
   add_maps_of_trace(next, command.map);
   add_check(next, command.map.options);
+  add_over(next, command.only_minimal,
+           "Count all maps at the exits, or the minimal models alone: these are searched for, "
+           "however many maps there are, unless --max-hypotheses or --check has them all listed");
   next.add_option("--max-travels", command.bounds.travels, "Look for exits so many travels away")
       ->type_name("N")
       ->check(CLI::Range(1, 100))

@@ -155,11 +155,11 @@ bool RouteReport::has_impossible() const {
          });
 }
 
-bool find_routes(const MapTree& tree, bool only_minimal,
-                 const std::function<bool(std::uint64_t maps)>& go_on, RouteReport& report) {
+bool find_routes(const MapList& maps, const std::function<bool(std::uint64_t maps)>& go_on,
+                 RouteReport& report) {
   std::vector<RouteAnswer> answers;
   for (const RouteQuery& query : report.queries) {
-    auto answer = find_route(tree, query, only_minimal, go_on);
+    auto answer = find_route(maps, query, go_on);
     if (!answer) return false;
     answers.push_back(std::move(*answer));
   }

@@ -9,7 +9,7 @@
 
 #include "cli/options.hpp"
 #include "core/trace.hpp"
-#include "engine/map_tree.hpp"
+#include "engine/map_list.hpp"
 #include "engine/route.hpp"
 
 namespace asterism {
@@ -25,8 +25,8 @@ struct RouteReport {
 };
 
 /// @return  false if go_on said to stop
-bool find_routes(const MapTree& tree, bool only_minimal,
-                 const std::function<bool(std::uint64_t maps)>& go_on, RouteReport& report);
+bool find_routes(const MapList& maps, const std::function<bool(std::uint64_t maps)>& go_on,
+                 RouteReport& report);
 
 /// Prints them in words on stdout.
 void print_routes(const QueryCommand& command, const Trace& trace, const RouteReport& report,

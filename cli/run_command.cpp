@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <variant>
 
+#include "cli/asked_maps.hpp"
 #include "cli/grow.hpp"
 #include "cli/map_parts.hpp"
 #include "cli/map_text.hpp"
@@ -70,7 +72,7 @@ Perceived perceive(const RunCommand& command) {
 /// The maps of a trace, or of as much of it as can be explained.
 struct Explained {
   Trace trace;  ///< the visits explained
-  MapTree tree;
+  std::variant<MapTree, MinimalSearch> maps;
   MapReport report;
   std::vector<std::uint64_t> other_per_visit;  ///< under the other view on planarity
   std::string why = {};                        ///< no more could be
@@ -80,6 +82,10 @@ MapTree tree_of(const MapCommand& command, const AxiomSet& axioms, const Trace& 
   MapTree tree(tree_options(command, axioms));
   tree.extend(trace.visits);
   return tree;
+}
+
+MapList minimal_of(const Explained& explained) {
+  return std::visit([](const auto& maps) { return minimal_maps(maps); }, explained.maps);
 }
 
 /// Why no map of the visits so far explains the next: all of them hold a segment by which the robot
@@ -119,26 +125,42 @@ Explained explain(const RunCommand& command, const Trace& trace) {
   maps.visits = trace.visits.size();
   const AxiomSet axioms = AxiomSet::shipped();
   Progress progress(trace.visits.size(), command.maps.time_limit_s);
-  MapTree::Options options = tree_options(maps, axioms);
-  options.go_on = std::ref(progress);
-  MapTree tree(std::move(options));
-  std::optional<std::string> stopped_by = grow(tree, trace, maps, progress);
-  MapReport report = report_of(tree, maps, axioms, stopped_by, progress);
-  report.trace = trace.name;
+  AskedMaps asked(maps, axioms, trace, command.only_minimal, progress);
+  std::optional<std::string> stopped_by = asked.find();
+  // A search that was stopped may know some maps of the whole trace.
+  std::size_t explained = asked.explained_visits();
+  if (stopped_by && asked.are_searched() && asked.minimal().size > 0)
+    explained = trace.visits.size();
+  const bool is_counted = !asked.are_searched();
 
-  Explained result{trace, std::move(tree), std::move(report), other_counts(maps, axioms, trace)};
-  std::span<const std::uint64_t> counts = result.tree.per_visit();
-  const auto explained =
-      static_cast<std::size_t>(std::ranges::find(counts, std::uint64_t{0}) - counts.begin());
+  Explained result{trace, std::move(asked).take(), {}, {}};
+  result.report = std::visit(
+      [&](const auto& found) { return report_of(found, maps, axioms, stopped_by, progress); },
+      result.maps);
+  result.report.trace = trace.name;
+  if (is_counted) result.other_per_visit = other_counts(maps, axioms, trace);
   if (explained == trace.visits.size()) return result;
+  const std::size_t looked_at = minimal_of(result).trace.visits.size();
   result.trace.visits.erase(result.trace.visits.begin() + static_cast<std::ptrdiff_t>(explained),
                             result.trace.visits.end());
-  if (explained < counts.size()) result.tree = tree_of(maps, axioms, result.trace);
+  if (explained < looked_at && is_counted) {
+    result.maps = tree_of(maps, axioms, result.trace);
+  } else if (explained < looked_at) {
+    MinimalSearch part(std::get<MinimalSearch>(result.maps).options());
+    part.extend(result.trace.visits);
+    part.run([&](const MinimalSearch& now) { return progress.searched(now); });
+    if (!part.is_complete()) stopped_by = progress.stopped_by();
+    result.report.complete = !stopped_by;
+    result.report.stopped_by = stopped_by;
+    result.maps = std::move(part);
+  }
   if (explained > 0) result.report.explained_visits = explained;
   if (explained == 0 && !stopped_by)
     result.why =
         fmt::format("visit 0 is at no place, assuming {}", text_of(command.maps.assumptions));
-  if (stopped_by) result.why = fmt::format("growing the tree was stopped: {}", *stopped_by);
+  if (stopped_by)
+    result.why = fmt::format("{} was stopped: {}", is_counted ? "growing the tree" : "the search",
+                             *stopped_by);
   return result;
 }
 
@@ -146,11 +168,24 @@ std::vector<RankedMap> rank(const RunCommand& command, const Perceived& perceive
                             const Explained& explained) {
   PlaceAlignments alignments(explained.trace, perceived.place_maps);
   Ranking ranking(explained.trace, std::ref(alignments), {.models = command.models});
-  for (const auto& hypotheses : explained.tree.by_preference()) {
-    ranking.add([&tree = explained.tree, hypotheses](const auto& f) {
-      tree.for_each(hypotheses, [&](HypothesisId, std::span<const Arrival> map) { f(map); });
+  const auto add = [&](const MapList& list) {
+    ranking.add([list](const auto& f) {
+      list.for_each_while([&](std::span<const Arrival> map) {
+        f(map);
+        return true;
+      });
     });
-    if (ranking.is_settled() || command.only_minimal) break;
+  };
+  if (command.only_minimal) {
+    add(minimal_of(explained));
+  } else {
+    const auto& tree = std::get<MapTree>(explained.maps);
+    for (const auto& hypotheses : tree.by_preference()) {
+      ranking.add([&tree, hypotheses](const auto& f) {
+        tree.for_each(hypotheses, [&](HypothesisId, std::span<const Arrival> map) { f(map); });
+      });
+      if (ranking.is_settled()) break;
+    }
   }
   std::vector<RankedMap> result = ranking.best();
   // The minimal models stand beside the best, however ill they fit.
@@ -232,7 +267,7 @@ RunReport report_of(const RunCommand& command, const Perceived& perceived,
     page.models.push_back(
         {model.ranked, model.global_map, model.trajectory,
          bare_map_svg(model.ranked.map, draw(model.ranked.map), perceived.trace.name)});
-  page.decided = decisions(page, explained.tree.minimal().size());
+  page.decided = decisions(page, minimal_of(explained).size);
   return page;
 }
 

@@ -33,7 +33,10 @@ std::string axioms_text(const RunReport& report) {
                                  : "the " + counted(report.trace.visits.size(), "visit");
   return (report.assumptions.empty() ? "of all ways to match visits, "
                                      : "of the ways to match visits that are as assumed, ") +
-         (all ? counted(*all, "map") + explains(*all) + visits : "too many to count explain them");
+         (all ? counted(*all, "map") + explains(*all) + visits
+          : report.all_per_visit.empty() && report.planar_per_visit.empty()
+              ? "the simplest were searched for, the others not counted"
+              : "too many to count explain them");
 }
 
 RunReport::Decision by_planarity(const RunReport& report) {

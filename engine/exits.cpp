@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
+#include <utility>
 
 #include "engine/replay.hpp"
 
@@ -94,12 +96,36 @@ Exit Tally::exit(std::uint64_t maps, std::span<const double> new_place,
   return exit;
 }
 
+/// Rows of travels, told apart by the gateways at which they end. Two that end at one gateway in
+/// every map are twins.
+class Twins {
+ public:
+  explicit Twins(std::size_t rows) : kind_(rows, 0), kinds_(std::min<std::size_t>(rows, 1)) {}
+
+  bool are_possible() const { return kinds_ < kind_.size(); }
+
+  /// @param gateways  at which the rows end in one more map
+  void add(std::span<const ArmIndex> gateways) {
+    std::map<std::pair<std::size_t, ArmIndex>, std::size_t> finer;
+    for (std::size_t row = 0; row < kind_.size(); ++row)
+      kind_[row] = finer.try_emplace({kind_[row], gateways[row]}, finer.size()).first->second;
+    kinds_ = finer.size();
+  }
+  bool has_earlier(std::size_t row) const {
+    return are_possible() && std::ranges::count(std::span(kind_).first(row), kind_[row]) > 0;
+  }
+
+ private:
+  std::vector<std::size_t> kind_;
+  std::size_t kinds_;
+};
+
 /// Looks out from one place after another, those nearest first.
 class Search {
  public:
-  Search(const MapTree& tree, const ExitBounds& bounds,
+  Search(const MapList& maps, const ExitBounds& bounds,
          const std::function<bool(std::uint64_t)>& go_on)
-      : tree_(tree), bounds_(bounds), go_on_(go_on), map_(tree) {
+      : maps_(maps), bounds_(bounds), go_on_(go_on), map_(maps) {
     const ArmTable& table = map_.table();
     std::vector<std::optional<Star>> stars(table.views());
     new_place_.resize(table.views());
@@ -144,8 +170,8 @@ class Search {
     std::uint64_t maps = 0;
     std::uint64_t work = 0;
     bool stopped = false;
-    tree_.for_each_while([&](HypothesisId, std::span<const Arrival> hypothesis) {
-      map_.go_to(hypothesis);
+    maps_.for_each_while([&](std::span<const Arrival> map) {
+      map_.go_to(map);
       for (std::size_t i = 0; i < lookouts.size(); ++i) {
         const ArmIndex arrived = follow(lookouts[i]);
         if (maps == 0) add_tallies(lookouts[i], arrived), first.push_back(tallies_.size());
@@ -153,6 +179,8 @@ class Search {
           tallies_[t].add(map_, map_.table().clockwise(
                                     arrived, static_cast<ArmIndex>(tallies_[t].turns.back())));
       }
+      if (maps == 0) twins_ = Twins(rows_.size() + tallies_.size());
+      if (twins_.are_possible()) twins_.add(ends_of_rows());
       ++maps;
       work += tallies_.size();
       if (work >= work_between_questions) {
@@ -175,7 +203,7 @@ class Search {
     }
   }
 
-  ArmIndex follow(const Turns& turns) const {
+  ArmIndex follow(std::span<const std::size_t> turns) const {
     ArmIndex arrived = map_.arrived();
     for (const std::size_t turn : turns)
       arrived = map_.engine()
@@ -184,38 +212,53 @@ class Search {
     return arrived;
   }
 
-  /// Lists the exits found.
-  ///
-  /// None is found twice. One of the maps is that in which no open gateway ever led back to a place
-  /// known; its segments, which all maps have, are a tree. In it, different rows of travels lead to
-  /// different gateways, unless one goes back where it came from.
+  ArmIndex gateway(const Turns& turns) const {
+    return map_.table().clockwise(follow(std::span(turns).first(turns.size() - 1)),
+                                  static_cast<ArmIndex>(turns.back()));
+  }
+  std::vector<ArmIndex> ends_of_rows() const {
+    std::vector<ArmIndex> ends;
+    for (const Turns& row : rows_) ends.push_back(gateway(row));
+    for (const Tally& tally : tallies_) ends.push_back(gateway(tally.turns));
+    return ends;
+  }
+
+  /// Lists the exits found, none of them twice. Among all maps of a trace there are no twins: one
+  /// of them is that in which no open gateway ever led back to a place known, and its segments,
+  /// which all maps have, are a tree. But minimal models may have loops in common.
   ///
   /// @return  where to look out next
-  std::vector<Turns> take(std::vector<Exit>& exits) const {
+  std::vector<Turns> take(std::vector<Exit>& exits) {
     std::vector<Turns> next;
-    for (const Tally& tally : tallies_) {
-      const bool is_sure = tally.is_sure(tree_.size());
+    const std::size_t before = rows_.size();
+    for (std::size_t t = 0; t < tallies_.size(); ++t) {
+      const Tally& tally = tallies_[t];
+      if (twins_.has_earlier(before + t)) continue;
+      rows_.push_back(tally.turns);
+      const bool is_sure = tally.is_sure(maps_.size);
       const bool is_first = tally.turns.size() == 1;
-      if (!is_sure || is_first) exits.push_back(tally.exit(tree_.size(), new_place_, stars_));
+      if (!is_sure || is_first) exits.push_back(tally.exit(maps_.size, new_place_, stars_));
       if (is_sure && (is_first || tally.turns.back() != 0)) next.push_back(tally.turns);
     }
     return next;
   }
 
-  const MapTree& tree_;
+  const MapList& maps_;
   const ExitBounds& bounds_;
   const std::function<bool(std::uint64_t)>& go_on_;
   Replay map_;
   std::vector<Star> stars_;  ///< of each view
   std::vector<double> new_place_;
+  std::vector<Turns> rows_;  ///< to every gateway met at lookouts before
   std::vector<Tally> tallies_;
+  Twins twins_{0};
 };
 
 }  // namespace
 
-std::optional<Exits> exits(const MapTree& tree, const ExitBounds& bounds,
+std::optional<Exits> exits(const MapList& maps, const ExitBounds& bounds,
                            const std::function<bool(std::uint64_t maps)>& go_on) {
-  return Search(tree, bounds, go_on).run();
+  return Search(maps, bounds, go_on).run();
 }
 
 }  // namespace asterism

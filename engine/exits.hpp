@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/star.hpp"
-#include "engine/map_tree.hpp"
+#include "engine/map_list.hpp"
 #include "engine/turns.hpp"
 
 namespace asterism {
@@ -46,14 +46,20 @@ struct Exits {
   bool complete = true;     ///< whether there is no more exit beyond the bounds
 };
 
-/// The exits that a robot can go to now. Those that tell nothing are listed only where they are one
-/// travel away. Holds no map, and goes once through the tree for each travel.
+/// The exits that a robot can go to now, if one of these maps is right. Those that tell nothing are
+/// listed only where they are one travel away. Holds no map, and goes once through them for each
+/// travel.
 ///
 /// @param go_on  asked now and then, with the maps looked at in this turn; may be empty
 /// @return  nothing if go_on said to stop
-/// @pre     the tree is not empty, and nothing was assumed
+/// @pre     there is a map, and nothing was assumed
 /// @throws  std::invalid_argument if the axioms are none that the native engine knows
-std::optional<Exits> exits(const MapTree& tree, const ExitBounds& bounds = {},
+std::optional<Exits> exits(const MapList& maps, const ExitBounds& bounds = {},
                            const std::function<bool(std::uint64_t maps)>& go_on = {});
+/// Of all maps of a tree.
+inline std::optional<Exits> exits(const MapTree& tree, const ExitBounds& bounds = {},
+                                  const std::function<bool(std::uint64_t maps)>& go_on = {}) {
+  return exits(all_maps(tree), bounds, go_on);
+}
 
 }  // namespace asterism

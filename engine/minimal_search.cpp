@@ -22,8 +22,6 @@ using Decision = SearchState::Decision;
 using Branch = SearchState::Branch;
 using Model = SearchState::Model;
 
-/// A row of bits for every arm, of as many bits.
-constexpr std::size_t max_visits = 4'000;
 /// Between questions to the caller.
 constexpr double slice_s = 0.02;
 /// For some map, where the first slice did not end the search.

@@ -41,6 +41,8 @@ class MinimalSearch {
     std::uint64_t count = 0;      ///< maps found with these extents
   };
   enum class Outcome { complete, stopped };
+  /// Of a trace: each arm has a row of bits for every other.
+  static constexpr std::size_t max_visits = 4'000;
 
   /// @throws std::invalid_argument if the axioms are not the shipped ones
   explicit MinimalSearch(Options options);

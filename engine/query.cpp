@@ -167,27 +167,25 @@ Modality Answer::modality() const {
   return holds == of ? Modality::certain : Modality::possible;
 }
 
-std::optional<std::vector<Answer>> ask(const MapTree& tree, std::span<const Query> queries,
-                                       bool only_minimal,
+std::optional<std::vector<Answer>> ask(const MapList& maps, std::span<const Query> queries,
                                        const std::function<bool(std::uint64_t maps)>& go_on) {
-  for (const Query& query : queries) require_visits(query, tree.trace());
-  Asking asking(tree.trace(), queries);
+  for (const Query& query : queries) require_visits(query, maps.trace);
+  Asking asking(maps.trace, queries);
   std::uint64_t work_of_map = 0;
   for (const Query& query : queries) work_of_map += 1 + query.mentions.size();
-  std::uint64_t maps = 0;
+  std::uint64_t asked = 0;
   std::uint64_t work = 0;
   bool stopped = false;
-  const auto ask_map = [&](HypothesisId, std::span<const Arrival> arrivals) {
+  maps.for_each_while([&](std::span<const Arrival> arrivals) {
     asking(arrivals);
-    ++maps;
+    ++asked;
     work += work_of_map;
     if (work >= work_between_questions) {
       work = 0;
-      stopped = go_on && !go_on(maps);
+      stopped = go_on && !go_on(asked);
     }
     return !stopped;
-  };
-  only_minimal ? tree.for_each_while(tree.minimal(), ask_map) : tree.for_each_while(ask_map);
+  });
   if (stopped) return std::nullopt;
   return std::move(asking).answers();
 }

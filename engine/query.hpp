@@ -13,7 +13,7 @@
 #include "core/id.hpp"
 #include "core/topological_map.hpp"
 #include "core/trace.hpp"
-#include "engine/map_tree.hpp"
+#include "engine/map_list.hpp"
 
 namespace asterism {
 
@@ -110,13 +110,18 @@ struct Answer {
   Modality modality() const;
 };
 
-/// Asks all maps of the tree, or its minimal models. Holds none of them but those of the answers.
+/// Asks each of the maps. Holds none of them but those of the answers.
 ///
 /// @param go_on  asked now and then, with the number of maps so far; may be empty
 /// @return  an answer a query; nothing if go_on said to stop
 /// @throws  InputError if the queries name visits that the trace does not have
-std::optional<std::vector<Answer>> ask(const MapTree& tree, std::span<const Query> queries,
-                                       bool only_minimal,
+std::optional<std::vector<Answer>> ask(const MapList& maps, std::span<const Query> queries,
                                        const std::function<bool(std::uint64_t maps)>& go_on = {});
+/// Asks all maps of the tree, or its minimal models.
+inline std::optional<std::vector<Answer>> ask(
+    const MapTree& tree, std::span<const Query> queries, bool only_minimal,
+    const std::function<bool(std::uint64_t maps)>& go_on = {}) {
+  return ask(only_minimal ? minimal_maps(tree) : all_maps(tree), queries, go_on);
+}
 
 }  // namespace asterism

@@ -15,16 +15,15 @@ std::string label(std::size_t number) {
 
 }  // namespace
 
-Replay::Replay(const MapTree& tree)
-    : table_(tree.trace()),
-      engine_(table_, NativeEngine::options(tree.options().axioms, tree.options().planar)) {
-  if (!tree.options().axioms.is_shipped())
+Replay::Replay(const MapList& maps)
+    : table_(maps.trace), engine_(table_, NativeEngine::options(maps.axioms, maps.planar)) {
+  if (!maps.axioms.is_shipped())
     throw std::invalid_argument("axioms other than the shipped ones need the solver");
   engine_.reset();
 }
 
-void Replay::go_to(std::span<const Arrival> hypothesis) {
-  const std::vector<ArmIndex> named = table_.named(hypothesis);
+void Replay::go_to(std::span<const Arrival> map) {
+  const std::vector<ArmIndex> named = table_.named(map);
   std::size_t shared = 0;
   while (shared < entered_.size() && entered_[shared].arm == named[shared]) ++shared;
   while (entered_.size() > shared) {

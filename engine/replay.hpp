@@ -4,22 +4,22 @@
 #include <vector>
 
 #include "engine/arm_table.hpp"
-#include "engine/map_tree.hpp"
+#include "engine/map_list.hpp"
 #include "engine/native.hpp"
 
 namespace asterism {
 
-/// The native engine at one hypothesis of a tree after another: what two of them share at the start
+/// The native engine at one map of a list after another: what two of them share at the start
 /// is kept.
 class Replay {
  public:
   /// @throws std::invalid_argument if the axioms are none that the native engine knows
-  explicit Replay(const MapTree& tree);
+  explicit Replay(const MapList& maps);
   Replay(const Replay&) = delete;
   Replay& operator=(const Replay&) = delete;
 
-  /// @pre  the hypothesis is of this tree, for all visits
-  void go_to(std::span<const Arrival> hypothesis);
+  /// @pre  it is of this list
+  void go_to(std::span<const Arrival> map);
 
   const ArmTable& table() const { return table_; }
   const NativeEngine& engine() const { return engine_; }

@@ -73,15 +73,14 @@ class Tally {
 /// Looks for the routes of one question.
 class Finding {
  public:
-  Finding(const MapTree& tree, const RouteQuery& query, bool only_minimal,
+  Finding(const MapList& maps, const RouteQuery& query,
           const std::function<bool(std::uint64_t maps)>& go_on, const RouteLimits& limits)
-      : tree_(tree),
+      : maps_(maps),
         from_(query.from.index()),
         to_(query.to.index()),
-        only_minimal_(only_minimal),
         go_on_(go_on),
         limits_(limits),
-        table_(tree.trace()),
+        table_(maps.trace),
         map_(table_) {}
 
   std::optional<RouteAnswer> find() {
@@ -98,20 +97,19 @@ class Finding {
   bool for_each_map(F&& f) {
     std::uint64_t maps = 0;
     bool stopped = false;
-    const auto look = [&](HypothesisId, std::span<const Arrival> arrivals) {
+    maps_.for_each_while([&](std::span<const Arrival> arrivals) {
       map_.set(arrivals);
       f(arrivals);
       if (++maps % maps_between_questions == 0) stopped = go_on_ && !go_on_(maps);
       return !stopped;
-    };
-    only_minimal_ ? tree_.for_each_while(tree_.minimal(), look) : tree_.for_each_while(look);
+    });
     return !stopped;
   }
 
   /// Counts what is shortest in each map, and asks whether the trace's own way leads there in all,
   /// as it does unless axioms of one's own give one travel two results.
   bool look_at_each() {
-    const Turns own = way_of_trace(tree_.trace(), from_, to_);
+    const Turns own = way_of_trace(maps_.trace, from_, to_);
     bool is_certain = true;
     tally_.emplace(limits_.routes);
     const bool finished = for_each_map([&](std::span<const Arrival> arrivals) {
@@ -155,10 +153,9 @@ class Finding {
     return true;
   }
 
-  const MapTree& tree_;
+  const MapList& maps_;
   std::size_t from_;
   std::size_t to_;
-  bool only_minimal_;
   const std::function<bool(std::uint64_t maps)>& go_on_;
   RouteLimits limits_;
   ArmTable table_;
@@ -176,12 +173,11 @@ Modality RouteAnswer::modality() const {
   return certain ? Modality::certain : Modality::possible;
 }
 
-std::optional<RouteAnswer> find_route(const MapTree& tree, const RouteQuery& query,
-                                      bool only_minimal,
+std::optional<RouteAnswer> find_route(const MapList& maps, const RouteQuery& query,
                                       const std::function<bool(std::uint64_t maps)>& go_on,
                                       const RouteLimits& limits) {
-  require_visits(query.text, query.mentions, tree.trace());
-  return Finding(tree, query, only_minimal, go_on, limits).find();
+  require_visits(query.text, query.mentions, maps.trace);
+  return Finding(maps, query, go_on, limits).find();
 }
 
 }  // namespace asterism

@@ -9,7 +9,7 @@
 
 #include "core/id.hpp"
 #include "core/topological_map.hpp"
-#include "engine/map_tree.hpp"
+#include "engine/map_list.hpp"
 #include "engine/query.hpp"
 #include "engine/turns.hpp"
 
@@ -56,15 +56,20 @@ struct RouteLimits {
   std::size_t routes = std::size_t{1} << 16;
 };
 
-/// Asks all maps of the tree, or its minimal models, for routes. Holds few of them at a time: those
+/// Asks the maps for routes. Holds few of them at a time: those
 /// that refuted a route found so far.
 ///
 /// @param go_on  asked now and then, with the number of maps looked at; may be empty
 /// @return  nothing if go_on said to stop
 /// @throws  InputError if the query names visits that the trace does not have
-std::optional<RouteAnswer> find_route(const MapTree& tree, const RouteQuery& query,
-                                      bool only_minimal,
+std::optional<RouteAnswer> find_route(const MapList& maps, const RouteQuery& query,
                                       const std::function<bool(std::uint64_t maps)>& go_on = {},
                                       const RouteLimits& limits = {});
+/// Asks all maps of the tree, or its minimal models.
+inline std::optional<RouteAnswer> find_route(
+    const MapTree& tree, const RouteQuery& query, bool only_minimal,
+    const std::function<bool(std::uint64_t maps)>& go_on = {}, const RouteLimits& limits = {}) {
+  return find_route(only_minimal ? minimal_maps(tree) : all_maps(tree), query, go_on, limits);
+}
 
 }  // namespace asterism

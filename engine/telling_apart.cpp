@@ -18,8 +18,14 @@ constexpr ArmIndex nowhere = UINT32_MAX;
 /// The minimal models, as far as the robot can go along their segments.
 class Models {
  public:
-  explicit Models(const MapTree& tree) : map_(tree) {
-    for (const std::vector<Arrival>& model : minimal_models(tree)) {
+  explicit Models(const MapList& list) : map_(list) {
+    std::vector<std::vector<Arrival>> models;
+    list.for_each_while([&](std::span<const Arrival> model) {
+      models.emplace_back(model.begin(), model.end());
+      return true;
+    });
+    std::ranges::sort(models, is_before);
+    for (const std::vector<Arrival>& model : models) {
       map_.go_to(model);
       arrived_.push_back(map_.arrived());
       std::vector<ArmIndex>& across = across_.emplace_back();
@@ -119,10 +125,10 @@ std::vector<std::vector<Star>> expected_by(const Models& models, const Turns& tu
 
 }  // namespace
 
-TellingApart tell_apart(const MapTree& tree, std::size_t most_numbers,
+TellingApart tell_apart(const MapList& list, std::size_t most_numbers,
                         const std::function<bool()>& go_on) {
   using Answer = TellingApart::Answer;
-  const Models models(tree);
+  const Models models(list);
   struct Reached {
     const State* state;
     std::size_t from;  ///< in `reached`

@@ -12,7 +12,7 @@ namespace asterism {
 /// Numbers that the search for it may hold at once: one for each model in each of its states.
 inline constexpr std::size_t default_most_numbers = 5'000'000;
 
-/// How to tell the minimal models apart by going on.
+/// How to tell minimal models apart by going on.
 struct TellingApart {
   enum class Answer {
     found,
@@ -27,13 +27,18 @@ struct TellingApart {
   std::vector<std::vector<Star>> expected;
 };
 
-/// The shortest row of travels after which no two minimal models expect to have seen the same. A
+/// The shortest row of travels after which no two of these models expect to have seen the same. A
 /// model expects something for sure only along its segments: a travel out of a gateway that is open
 /// in a model tells it apart from no other, unless that was done before.
 ///
 /// @param go_on  asked now and then; may be empty
 /// @throws std::invalid_argument if the axioms are none that the native engine knows
-TellingApart tell_apart(const MapTree& tree, std::size_t most_numbers = default_most_numbers,
+TellingApart tell_apart(const MapList& models, std::size_t most_numbers = default_most_numbers,
                         const std::function<bool()>& go_on = {});
+/// Of the minimal models of a tree.
+inline TellingApart tell_apart(const MapTree& tree, std::size_t most_numbers = default_most_numbers,
+                               const std::function<bool()>& go_on = {}) {
+  return tell_apart(minimal_maps(tree), most_numbers, go_on);
+}
 
 }  // namespace asterism

@@ -63,6 +63,25 @@ class Clashes(Folder):
         self.assertEqual((code, found["preference"]), (1, None))
         self.assertTrue(found["clash"])
 
+    def test_the_best_map_otherwise_is_that_of_listing_all(self):
+        listed = json.loads(run("map", ACES, "--all", "--json", "-").stdout)["maps"]
+        decided = 0
+        for i, j in ((0, 8), (2, 10), (4, 12), (1, 9), (2, 14), (0, 10)):
+            with self.subTest(i=i, j=j):
+                found = explained(ACES, "--over", "minimal", f"same({i}, {j})")[1]
+                best = {is_so: min((len(m["paths"]), len(m["places"])) for m in listed
+                                   if (m["visits"][i] == m["visits"][j]) == is_so)
+                        for is_so in {m["visits"][i] == m["visits"][j] for m in listed}}
+                if len(best) < 2 or best[True] == best[False]:
+                    self.assertIsNone(found["preference"])
+                    continue
+                decided += 1
+                self.assertEqual(found["verdict"],
+                                 "certain" if best[True] < best[False] else "impossible")
+                self.assertEqual((found["preference"]["minimal"], found["preference"]["best"]),
+                                 (list(min(best.values())), list(max(best.values()))))
+        self.assertGreater(decided, 1)
+
     def test_a_trace_that_no_map_explains(self):
         dead_end = {"star": "a+1 a-0", "left_by": "a+"}
         crossing = {"star": "a+1 b+1 a-1 b-1", "entered_by": "a+", "left_by": "a+"}
@@ -98,11 +117,12 @@ class Clashes(Folder):
 class BySolver(Folder):
     def test_agrees_with_listing(self):
         queries = ["same(0, 8)", "same(8, 10)", "not same(8, 10)", "places > 8", "on_path(1, 3)"]
-        for options in ([], ["--planar"], ["--over", "minimal"]):
+        for options, way in (([], "enumeration"), (["--planar"], "enumeration"),
+                             (["--over", "minimal"], "search")):
             asked = [json.loads(run("query", ACES, *queries, *options, "--json", "-", *by).stdout)
                      for by in ([], ["--by", "solver"])]
             self.assertEqual(*([q["verdict"] for q in found["queries"]] for found in asked))
-            self.assertEqual([found["options"]["by"] for found in asked], ["enumeration", "solver"])
+            self.assertEqual([found["options"]["by"] for found in asked], [way, "solver"])
 
     def test_undecided(self):
         done = run("query", ACES, "same(0, 8)", "--by", "solver", "--time-limit", "0")

@@ -43,11 +43,47 @@ class Answers(Folder):
 
     def test_over_minimal_models(self):
         code, found = answers(ACES, "--over", "minimal", "paths = 6 and places = 9", "same(2, 14)")
-        self.assertEqual((code, found["options"]["over"], found["consistent"]), (0, "minimal", 107))
+        self.assertEqual((code, found["options"]["over"], found["consistent"]), (0, "minimal", None))
         certain, possible = found["queries"]
         self.assertEqual((certain["verdict"], certain["of"]), ("certain", 6))
         self.assertIsNone(certain["counterexample"])
         self.assertEqual((possible["verdict"], possible["of"]), ("possible", 6))
+
+    def test_minimal_models_searched_for_answer_as_those_listed(self):
+        asked = ("same(0, 8)", "on_path(1, 8)", "places = 9 or steps(0, 7) = 1", "route(8, 1)")
+        listing = ["--max-hypotheses", "1000000"]
+        for trace in ("aces-stubs", "grid-3x3", "eight-crossings"):
+            file = TRACES / f"{trace}.trace.json"
+            for options in ([], ["--planar"], ["--assume", "differ(0, 8)"]):
+                with self.subTest(trace=trace, options=options):
+                    arguments = [file, "--over", "minimal", *options]
+                    code, found = answers(*arguments, *asked)
+                    code_listed, listed = answers(*arguments, *listing, *asked)
+                    self.assertEqual((found["options"].pop("by"), listed["options"].pop("by")),
+                                     ("search", "enumeration"))
+                    self.assertIsNone(found.pop("consistent"))
+                    self.assertGreater(listed.pop("consistent"), 0)
+                    self.assertEqual((code, found), (code_listed, listed))
+                    text = run("query", *arguments, *asked).stdout
+                    self.assertEqual(text, run("query", *arguments, *listing, *asked).stdout)
+
+    def test_minimal_models_of_more_maps_than_can_be_listed(self):
+        walk = ["--width", 5, "--height", 5, "--travels", 60, "--seed", 1]
+        file = self.file("walk.trace.json", run("simulate", *walk).stdout)
+        arguments = [file, "same(3, 9)", "--over", "minimal"]
+        code, found = answers(*arguments, "--time-limit", "60")
+        self.assertEqual((code, found["complete"], found["queries"][0]["verdict"]),
+                         (1, True, "impossible"))
+        self.assertEqual(found["queries"][0]["of"], 15)
+        code, found = answers(*arguments, "--max-hypotheses", "1000")
+        self.assertEqual((code, found["complete"]), (2, False))
+        code, found = answers(*arguments, "--time-limit", "0")
+        self.assertEqual((code, found["stopped_by"], found["options"]["by"]),
+                         (2, "time limit", "search"))
+        self.assertEqual(found["queries"][0]["verdict"], "undecided")
+        done = run("query", *arguments, "--time-limit", "0")
+        self.assertEqual((done.returncode, done.stdout),
+                         (2, "same(3, 9): undecided, stopped by time limit\n"))
 
     def test_checks_and_axioms_of_maps_count(self):
         for check in ("native", "solver", "both"):
@@ -82,6 +118,11 @@ class Answers(Folder):
         self.assertEqual(done.stdout, "same(0, 0): impossible, in 0 of 0 maps\n"
                          "no map explains the trace: none is left after visit 2\n")
         code, found = answers(file, "same(0, 0)")
+        self.assertEqual((code, found["consistent"], found["complete"]), (1, 0, True))
+        minimal = run("query", file, "same(0, 0)", "--over", "minimal")
+        self.assertEqual((minimal.returncode, minimal.stdout),
+                         (1, done.stdout.replace("maps", "minimal models")))
+        code, found = answers(file, "same(0, 0)", "--over", "minimal")
         self.assertEqual((code, found["consistent"], found["complete"]), (1, 0, True))
 
     def test_same_bytes_and_both_outputs(self):

@@ -64,6 +64,29 @@ class Office(unittest.TestCase):
         done = run("run", log or self.log, "-o", self.home / folder, *options)
         return done, self.home / folder
 
+    def test_minimal_models_searched_for_are_drawn_as_those_listed(self):
+        minimal = ["--rank", "minimal"]
+        done, searched = self.again(*minimal, folder="searched")
+        other, listed = self.again(*minimal, "--max-hypotheses", "1000000", folder="listed")
+        self.assertEqual((done.returncode, other.returncode), (0, 0), done.stderr)
+        one, two = contents(searched), contents(listed)
+        maps, of_list = json.loads(one.pop("maps.json")), json.loads(two.pop("maps.json"))
+        self.assertEqual((maps["consistent"], maps["per_visit"]), (None, None))
+        for key in ("complete", "minimal", "maps", "ranked"):
+            self.assertEqual(maps[key], of_list[key], key)
+        self.assertIn("simplest were searched for", one.pop("report.html").decode())
+        two.pop("report.html")
+        self.assertEqual(one, two)
+        self.assertEqual(run("validate", searched / "maps.json").returncode, 0)
+
+    def test_a_search_that_is_stopped_says_so(self):
+        done, folder = self.again("--rank", "minimal", "--time-limit", "0", folder="stopped")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("stopped by time limit", done.stdout)
+        maps = json.loads((folder / "maps.json").read_text())
+        self.assertEqual((maps["complete"], maps["stopped_by"], maps["maps"]),
+                         (False, "time limit", []))
+
     def test_all_files_are_there(self):
         self.assertEqual(results(self.folder),
                          {".": OF_A_RUN | OF_A_MODEL, "model-2": OF_A_MODEL})
@@ -228,6 +251,12 @@ class NoMap(Folder):
         done = run("run", log, "-o", out, "--json")
         self.assertEqual(json.loads(done.stdout)["explained_visits"], explained)
         self.assertIn(f"visit {explained} came by", json.loads(done.stdout)["why"])
+        done = run("run", log, "-o", self.folder / "searched", "--rank", "minimal")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(f"none is left after visit {explained}\nvisit {explained} came by", done.stdout)
+        searched = json.loads((self.folder / "searched/maps.json").read_text())
+        self.assertEqual((searched["consistent"], searched["explained"]), (0, explained))
+        self.assertEqual({len(ranked["visits"]) for ranked in searched["ranked"]}, {explained})
 
 
 class Readme(Folder):

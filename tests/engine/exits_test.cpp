@@ -200,9 +200,9 @@ Trace walked(Trace trace, const Turns& turns, const Lister& list) {
   return trace;
 }
 
-std::size_t check_exits(const Trace& trace, const MapTree& tree, const Lister& list) {
+std::size_t check_exits(const Trace& trace, const MapList& maps, const Lister& list) {
   constexpr ExitBounds bounds{.travels = 3};
-  const Exits found = exits(tree, bounds).value();
+  const Exits found = exits(maps, bounds).value();
   const auto order = [](const Exit& exit) {
     return std::tuple(!exit.tells, exit.expected_left, exit.turns.size());
   };
@@ -216,7 +216,7 @@ std::size_t check_exits(const Trace& trace, const MapTree& tree, const Lister& l
     CHECK(same->second == std::pair(exit.turns.size(), exit.tells));
     looking.found.erase(same);
     check_exit(exit, reference(trace, walked(trace, exit.turns, list), exit.turns.back(), list),
-               tree.size());
+               maps.size);
   }
   for (const auto& [gateway, how] : looking.found) CHECK((how.first > 1 && !how.second));
   return found.exits.size();
@@ -230,7 +230,7 @@ TEST_CASE("exits split the maps as growing on would", "[engine][exits][reference
     const Trace trace = seeded_walk(seed, seed % 9).trace;
     INFO(to_keep(seed, trace));
     for (const bool planar : {false, true})
-      exits_checked += check_exits(trace, tree_of(trace, planar),
+      exits_checked += check_exits(trace, all_maps(tree_of(trace, planar)),
                                    [&](const Trace& one) { return all_of_tree(one, planar); });
   }
   CHECK(exits_checked > 2000);
@@ -241,7 +241,7 @@ TEST_CASE("exits split the maps as brute force says", "[engine][exits][reference
     const Trace trace = seeded_walk(seed, 2 + seed % 4).trace;
     INFO(to_keep(seed, trace));
     for (const bool planar : {false, true})
-      check_exits(trace, tree_of(trace, planar), [&](const Trace& one) {
+      check_exits(trace, all_maps(tree_of(trace, planar)), [&](const Trace& one) {
         return every_map_by_visit(one, {.planar = planar}).back();
       });
   }
@@ -257,7 +257,7 @@ TEST_CASE("optional axioms count", "[engine][exits][property]") {
       };
       INFO(axiom << to_keep(seed, trace));
       const MapTree tree = tree_of(trace, {.axioms = shipped_with(axiom)});
-      check_exits(trace, tree, list);
+      check_exits(trace, all_maps(tree), list);
       const MapTree without = tree_of(trace, false);
       if (exits(tree)->exits.front().expected_left != exits(without)->exits.front().expected_left)
         ++differing;
@@ -353,4 +353,33 @@ TEST_CASE("a star as seen is the same for the same view", "[engine][exits]") {
     for (int i = 0; i < 60; ++i) arms.push_back({"p" + std::to_string(i), sign, true});
   for (const std::size_t i : {0U, 59U, 100U})
     CHECK(star_as_seen(Star(arms), i).view(0) == Star(arms).view(i));
+}
+
+TEST_CASE("exits split the minimal models as growing these on would, loops and all",
+          "[engine][exits][reference][property]") {
+  std::size_t exits_checked = 0;
+  std::size_t in_loops = 0;
+  for (unsigned seed = 0; seed < 150; ++seed) {
+    const Trace trace = seeded_walk(seed, 4 + seed % 9).trace;
+    INFO(to_keep(seed, trace));
+    const bool planar = seed % 3 == 0;
+    MinimalSearch search({.planar = planar, .axioms = shipped_with()});
+    search.extend(trace.visits);
+    search.run();
+    const std::vector<Association> models = minimal_of(tree_of(trace, planar));
+    REQUIRE(minimal_maps(search).size == models.size());
+    exits_checked += check_exits(trace, minimal_maps(search), [&](const Trace& one) {
+      std::vector<Association> maps = all_of_tree(one, planar);
+      std::erase_if(maps, [&](const Association& map) {
+        return !std::ranges::binary_search(
+            models, Association(map.begin(),
+                                map.begin() + static_cast<std::ptrdiff_t>(trace.visits.size())));
+      });
+      return maps;
+    });
+    const auto map = make_map(trace, models.front());
+    in_loops += models.size() == 1 && map.segments.size() >= map.places.size();
+  }
+  CHECK(exits_checked > 500);
+  CHECK(in_loops > 10);
 }

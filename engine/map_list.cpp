@@ -1,0 +1,28 @@
+#include "engine/map_list.hpp"
+
+namespace asterism {
+
+MapList all_maps(const MapTree& tree) {
+  return {tree.trace(), tree.options().axioms, tree.options().planar, tree.size(),
+          [&tree](const auto& f) {
+            tree.for_each_while([&](HypothesisId, std::span<const Arrival> map) { return f(map); });
+          }};
+}
+
+MapList minimal_maps(const MapTree& tree) {
+  return {tree.trace(), tree.options().axioms, tree.options().planar, tree.minimal().size(),
+          [&tree](const auto& f) {
+            tree.for_each_while(tree.minimal(),
+                                [&](HypothesisId, std::span<const Arrival> map) { return f(map); });
+          }};
+}
+
+MapList minimal_maps(const MinimalSearch& search) {
+  return {search.trace(), search.options().axioms, search.options().planar, search.bounds().count,
+          [&search](const auto& f) {
+            bool goes_on = true;
+            search.for_each([&](std::span<const Arrival> map) { goes_on = goes_on && f(map); });
+          }};
+}
+
+}  // namespace asterism
