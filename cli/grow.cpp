@@ -17,12 +17,15 @@ namespace {
 
 constexpr std::uint64_t most_maps_in_chart = 10'000'000;
 
+/// What a minimal model takes as a map and as a data association, about.
+std::uint64_t model_bytes(std::size_t visits) { return 1000 + 300 * visits; }
+
 }  // namespace
 
 std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
                                 Progress& progress) {
   const bool may_stop = command.options.max_hypotheses || command.options.time_limit_s ||
-                        command.options.check != "native";
+                        command.options.memory_limit_bytes || command.options.check != "native";
   const std::size_t step = may_stop ? 1 : trace.visits.size();
   for (std::size_t k = 0; k < trace.visits.size(); k += step) {
     // The tree asks now and then within a level; a small one is over before.
@@ -54,6 +57,11 @@ MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomS
 
   report.consistent = tree.size();
   if (tree.size() == 0) return report;
+  if (!progress.has_room(tree.minimal().size() * model_bytes(command.visits))) {
+    report.stopped_by = "memory limit";
+    report.complete = false;
+    return report;
+  }
   const auto models = minimal_models(tree);
   for (const auto& model : models) report.maps.push_back(make_map(tree.trace(), model));
   report.minimal = {.paths = report.maps.front().paths.size(),
@@ -62,8 +70,10 @@ MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomS
                     .certified = false};
   if (command.options.certify_s > 0) {
     progress.grown("certifying the minimal models");
+    const double seconds =
+        std::min(command.options.certify_s, progress.seconds_left().value_or(1e9));
     const Certificate certificate = certify(tree.trace(), axioms, command.options.planar, models,
-                                            command.options.certify_s, command.options.assumptions);
+                                            seconds, command.options.assumptions);
     // What was kept undecided may well be refuted, given more time.
     if (certificate == Certificate::refuted && tree.undecided() == 0)
       throw std::logic_error("the solver refutes the minimal models of the tree");
@@ -79,7 +89,8 @@ std::vector<std::uint64_t> other_counts(const MapCommand& command, const AxiomSe
   if (axioms.is_shipped()) other.options.check = "native";
   other.options.max_hypotheses =
       std::min(other.options.max_hypotheses.value_or(UINT64_MAX), most_maps_in_chart);
-  Progress progress(trace.visits.size(), command.options.time_limit_s);
+  Progress progress(trace.visits.size(), command.options.time_limit_s,
+                    command.options.memory_limit_bytes);
   MapTree::Options options = tree_options(other, axioms);
   options.go_on = std::ref(progress);
   MapTree tree(std::move(options));

@@ -702,18 +702,25 @@ MinimalSearch::Bounds MinimalSearch::bounds() const { return searching_->bounds(
 
 bool MinimalSearch::is_complete() const { return searching_->is_complete; }
 
-void MinimalSearch::for_each(const std::function<void(std::span<const Arrival>)>& f) const {
+void MinimalSearch::for_each(const std::function<void(std::span<const Arrival>)>& f,
+                             std::size_t most) const {
   const ArmTable& table = searching_->table;
   const std::span<const Model> models = searching_->best_models();
   std::vector<std::uint32_t> order(models.size());
   std::iota(order.begin(), order.end(), 0U);
   // By (visits, entered): places are numbered by first visit, which an arm tells.    [DESIGN §9]
-  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+  const auto is_before = [&](std::uint32_t a, std::uint32_t b) {
     const auto& [one, other] = std::mismatch(
         models[a].begin(), models[a].end(), models[b].begin(),
         [&](ArmIndex x, ArmIndex y) { return table.visit_of(x) == table.visit_of(y); });
     return one == models[a].end() ? models[a] < models[b] : *one < *other;
-  });
+  };
+  if (most < order.size()) {
+    std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(most), is_before);
+    order.resize(most);
+  } else {
+    std::ranges::sort(order, is_before);
+  }
   for (const std::uint32_t i : order) f(table.arrivals(models[i]));
 }
 

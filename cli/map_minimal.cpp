@@ -1,0 +1,111 @@
+#include "cli/map_minimal.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/checkpointing.hpp"
+#include "cli/map_results.hpp"
+#include "cli/map_text.hpp"
+#include "cli/progress.hpp"
+#include "engine/certify.hpp"
+#include "engine/minimal_search.hpp"
+
+namespace asterism {
+namespace {
+
+/// Written out after the time limit; of more, only the number is told.
+constexpr std::size_t most_maps_out_of_time = 100;
+
+MapReport::Bounds bounds_of(const MinimalSearch& search) {
+  const auto [at_least, best, count] = search.bounds();
+  MapReport::Bounds bounds{.at_least = at_least, .best = {}};
+  if (best) bounds.best = {best->paths, best->places, count};
+  return bounds;
+}
+
+/// The first of the maps found, as maps.
+std::vector<TopologicalMap> first_maps(const MinimalSearch& search, std::size_t most) {
+  std::vector<TopologicalMap> maps;
+  search.for_each([&](auto model) { maps.push_back(make_map(search.trace(), model)); }, most);
+  return maps;
+}
+
+/// Searches until all is known or something stops it.
+/// @return  what did
+std::optional<std::string> search_on(MinimalSearch& search, const MapCommand& command,
+                                     std::optional<Checkpointing>& checkpoint, Progress& progress) {
+  const std::string first_extent = search.options().axioms.preference().front();
+  const auto go_on = [&](const MinimalSearch& running) {
+    // The list of the maps found is copied as it grows; a checkpoint copies all of it.
+    const std::uint64_t listed = running.bounds().count * sizeof(SearchState::Model);
+    const std::uint64_t copied = command.checkpoint ? running.memory_bytes() : 0;
+    return progress([&] { return bounds_text(bounds_of(running), first_extent); }, listed + copied);
+  };
+  const auto outcome = checkpoint ? checkpoint->run(search, go_on) : search.run(go_on);
+  if (outcome == MinimalSearch::Outcome::complete) return std::nullopt;
+  return progress.stopped_by();
+}
+
+/// Has the solver certify the models found; what it refutes is a fault.
+bool is_certified(const MinimalSearch& search, const MapCommand& command, const AxiomSet& axioms,
+                  Progress& progress) {
+  progress.grown("certifying the minimal models");
+  const double seconds = std::min(command.options.certify_s, progress.seconds_left().value_or(1e9));
+  const Certificate certificate = certify(search.trace(), axioms, command.options.planar,
+                                          search.models(), seconds, command.options.assumptions);
+  if (certificate == Certificate::refuted)
+    throw std::logic_error("the solver refutes the minimal models of the search");
+  return certificate == Certificate::shown;
+}
+
+}  // namespace
+
+int map_minimal(const MapCommand& command, const AxiomSet& axioms, const Trace& trace) {
+  Progress progress(trace.visits.size(), command.options.time_limit_s,
+                    command.options.memory_limit_bytes);
+  MinimalSearch search({.planar = command.options.planar,
+                        .axioms = axioms,
+                        .assumptions = command.options.assumptions,
+                        .jobs = command.jobs});
+  search.extend(trace.visits);
+  std::optional<Checkpointing> checkpoint;
+  if (command.checkpoint) checkpoint.emplace(command, axioms, trace);
+  if (command.resume) checkpoint->resume(search);
+
+  MapReport report;
+  report.trace = trace.name;
+  report.options = command.options;
+  report.options.preference = axioms.preference();
+  report.stopped_by = search_on(search, command, checkpoint, progress);
+  report.complete = !report.stopped_by;
+  const MapReport::Bounds known = bounds_of(search);
+  if (!report.complete) {
+    report.bounds = known;
+  } else if (known.best) {
+    report.minimal = {known.best->paths, known.best->places, known.best->count, false};
+    if (command.options.certify_s > 0)
+      report.minimal->certified = is_certified(search, command, axioms, progress);
+  }
+  progress.grown("writing the maps found");
+
+  const std::size_t most = report.stopped_by == "time limit" ? most_maps_out_of_time : SIZE_MAX;
+  const MapSource maps = [&](const auto& write) {
+    search.for_each([&](auto model) { write(make_map(search.trace(), model)); }, most);
+  };
+  report.maps = first_maps(search, command.svg_folder ? most_drawings : most_maps_in_text);
+  write_report(command, report, maps);
+  if (command.svg_folder) {
+    write_models(command, report, report.maps, known.best ? known.best->count : 0);
+    // Of all maps, which an earlier run had listed.
+    std::filesystem::remove(std::filesystem::path(*command.svg_folder) / "hypotheses.svg");
+  }
+  write_problems(command, axioms, trace, maps);
+  if (!report.complete) return exit_undecided;
+  if (checkpoint) checkpoint->remove();
+  return report.minimal ? exit_consistent : exit_inconsistent;
+}
+
+}  // namespace asterism
