@@ -12,7 +12,8 @@ namespace asterism {
 namespace {
 
 [[noreturn]] void refuse(const std::string& file, const std::invalid_argument& error) {
-  throw InputError(file, error.what(), "a state of this search");
+  throw InputError(file, std::string("a state where ") + error.what(),
+                   "one of the search to go on with");
 }
 
 }  // namespace
@@ -27,12 +28,18 @@ Checkpointing::Checkpointing(const MapCommand& command, const AxiomSet& axioms, 
               .preference = axioms.preference(),
               .assumptions = command.options.assumptions} {}
 
-void Checkpointing::resume(MinimalSearch& search) {
+void Checkpointing::resume(MinimalSearch& search, const Progress& progress) {
   std::error_code ignored;  // what cannot be asked for cannot be read either
   if (!std::filesystem::exists(std::filesystem::status(file_, ignored))) {
     fmt::print(stderr, "{}: no checkpoint to resume from; the search begins afresh\n", file_);
     return;
   }
+  // As text, as read, and twice as arms.
+  constexpr std::uint64_t times_its_size = 6;
+  const std::uint64_t size = std::filesystem::file_size(file_, ignored);
+  if (!progress.has_room(times_its_size * size))
+    throw InputError(file_, fmt::format("{} bytes", size),
+                     "a memory limit with room for six times as many");
   const Checkpoint checkpoint = read_checkpoint_file(file_);
   require_same_search(checkpoint, search_, file_);
   try {

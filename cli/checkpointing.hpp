@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/options.hpp"
+#include "cli/progress.hpp"
 #include "core/trace.hpp"
 #include "engine/minimal_search.hpp"
 #include "io/checkpoint_file.hpp"
@@ -18,8 +19,9 @@ class Checkpointing {
   Checkpointing(const MapCommand& command, const AxiomSet& axioms, const Trace& trace);
 
   /// Has a search go on from the file. Says so on stderr if there is none.
-  /// @throws InputError if it is of another search, or cannot be one of this
-  void resume(MinimalSearch& search);
+  /// @throws InputError if it is of another search, cannot be one of this, or is too large for the
+  ///         memory limit
+  void resume(MinimalSearch& search, const Progress& progress);
   /// Searches as MinimalSearch::run does, and writes the file now and then; removes it at the end.
   /// @throws InputError  if what was resumed cannot be a state of this search
   MinimalSearch::Outcome run(MinimalSearch& search,

@@ -16,8 +16,9 @@
 namespace asterism {
 namespace {
 
-/// Written out after the time limit; of more, only the number is told.
-constexpr std::size_t most_maps_out_of_time = 100;
+/// Written out where a limit ended the search; of more, only the number is told. There may be
+/// millions, and neither time nor memory left.
+constexpr std::size_t most_maps_so_far = 100;
 
 MapReport::Bounds bounds_of(const MinimalSearch& search) {
   const auto [at_least, best, count] = search.bounds();
@@ -33,17 +34,29 @@ std::vector<TopologicalMap> first_maps(const MinimalSearch& search, std::size_t 
   return maps;
 }
 
+/// What a search takes before it finds anything: a bit for every two arms of the trace, for each
+/// thread and once more.
+std::uint64_t bytes_at_begin(const MinimalSearch& search) {
+  std::uint64_t arms = 0;
+  for (const Visit& visit : search.trace().visits) arms += visit.star.size();
+  return (search.options().jobs + 1) * arms * arms / 8;
+}
+
 /// Searches until all is known or something stops it.
 /// @return  what did
 std::optional<std::string> search_on(MinimalSearch& search, const MapCommand& command,
                                      std::optional<Checkpointing>& checkpoint, Progress& progress) {
   const std::string first_extent = search.options().axioms.preference().front();
+  const std::uint64_t at_begin = bytes_at_begin(search);
   const auto go_on = [&](const MinimalSearch& running) {
+    const std::uint64_t held = running.memory_bytes();
     // The list of the maps found is copied as it grows; a checkpoint copies all of it.
     const std::uint64_t listed = running.bounds().count * sizeof(SearchState::Model);
-    const std::uint64_t copied = command.checkpoint ? running.memory_bytes() : 0;
-    return progress([&] { return bounds_text(bounds_of(running), first_extent); }, listed + copied);
+    const std::uint64_t to_come =
+        (at_begin > held ? at_begin - held : 0) + listed + (command.checkpoint ? held : 0);
+    return progress([&] { return bounds_text(bounds_of(running), first_extent); }, to_come);
   };
+  if (!go_on(search)) return progress.stopped_by();
   const auto outcome = checkpoint ? checkpoint->run(search, go_on) : search.run(go_on);
   if (outcome == MinimalSearch::Outcome::complete) return std::nullopt;
   return progress.stopped_by();
@@ -73,7 +86,7 @@ int map_minimal(const MapCommand& command, const AxiomSet& axioms, const Trace& 
   search.extend(trace.visits);
   std::optional<Checkpointing> checkpoint;
   if (command.checkpoint) checkpoint.emplace(command, axioms, trace);
-  if (command.resume) checkpoint->resume(search);
+  if (command.resume) checkpoint->resume(search, progress);
 
   MapReport report;
   report.trace = trace.name;
@@ -91,7 +104,7 @@ int map_minimal(const MapCommand& command, const AxiomSet& axioms, const Trace& 
   }
   progress.grown("writing the maps found");
 
-  const std::size_t most = report.stopped_by == "time limit" ? most_maps_out_of_time : SIZE_MAX;
+  const std::size_t most = report.complete ? SIZE_MAX : most_maps_so_far;
   const MapSource maps = [&](const auto& write) {
     search.for_each([&](auto model) { write(make_map(search.trace(), model)); }, most);
   };

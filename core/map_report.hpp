@@ -42,7 +42,7 @@ struct MapReport {
     struct Best {
       std::size_t paths = 0;
       std::size_t places = 0;
-      std::size_t count = 0;  ///< maps found with as many; `maps` may hold the first alone
+      std::size_t count = 0;  ///< maps found with as many; `maps` may hold the first 100 alone
     };
     std::uint64_t at_least = 0;  ///< no map has less of the extent that counts most
     std::optional<Best> best;    ///< absent: no map was found

@@ -219,6 +219,10 @@ class Worker {
 
   bool decide(const Decision& decision) {
     decided_.push_back(decision);
+    // Only a state to resume from may settle a place again.
+    if (!decision.same &&
+        folding_.is_settled(folding_.representative_visit(table_.visit_of(decision.arm))))
+      return false;
     return decision.same ? folding_.identify(decision.arm, *decision.same)
                          : folding_.settle(decision.arm);
   }
