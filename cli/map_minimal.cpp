@@ -56,7 +56,7 @@ std::optional<std::string> search_on(MinimalSearch& search, const MapCommand& co
         (at_begin > held ? at_begin - held : 0) + listed + (command.checkpoint ? held : 0);
     return progress([&] { return bounds_text(bounds_of(running), first_extent); }, to_come);
   };
-  if (!go_on(search)) return progress.stopped_by();
+  if (!progress.has_room(at_begin)) return "memory limit";
   const auto outcome = checkpoint ? checkpoint->run(search, go_on) : search.run(go_on);
   if (outcome == MinimalSearch::Outcome::complete) return std::nullopt;
   return progress.stopped_by();

@@ -5,7 +5,6 @@ usage: minimal_test.py PROGRAM SOURCE_FOLDER [--full] [unittest options]
 
 import json
 import random
-import re
 import signal
 import subprocess
 import sys
@@ -47,13 +46,15 @@ def hub(arms):
     )
 
 
-class Minimal(Folder):
+class Search(Folder):
     def grid(self, side, travels, missing, seed):
         trace = self.folder / f"grid-{side}-{seed}.trace.json"
         size = ["--width", side, "--height", side, "--travels", travels, "--missing", missing]
         self.assertEqual(run("simulate", *size, "--seed", seed, "-o", trace).returncode, 0)
         return trace
 
+
+class Minimal(Search):
     def test_the_search_finds_what_the_list_has(self):
         hub_8 = self.file("hub.trace.json", hub(8))
         no_path_twice = ["--axiom", "one_crossing"]
@@ -75,10 +76,8 @@ class Minimal(Folder):
         for file in (SOURCE / "axioms").glob("*.smt2"):
             (folder / file.name).write_text(file.read_text())
         preference = (folder / "preference.smt2").read_text()
-        lines = [line for line in preference.splitlines() if re.match(r"\(minimi[sz]e", line)]
-        self.assertEqual(len(lines), 2)
-        other = preference.replace(lines[0], "@").replace(lines[1], lines[0]).replace("@", lines[1])
-        (folder / "preference.smt2").write_text(other)
+        self.assertIn("(path place)", preference)
+        (folder / "preference.smt2").write_text(preference.replace("path place", "place path"))
         code, listed = report(ACES, "--certify", 0, "--axioms", folder)
         self.assertEqual(listed["options"]["preference"], ["place", "path"])
         again, found = report(ACES, "--minimal", "--axioms", folder)
@@ -91,9 +90,9 @@ class Minimal(Folder):
         for file in (SOURCE / "axioms").glob("*.smt2"):
             (folder / file.name).write_text(file.read_text())
         topological = (folder / "topological.smt2").read_text()
-        (folder / "topological.smt2").write_text(
-            re.sub(r"\(assert \(! .*?:named irreflexive\w*\)\)", "", topological, flags=re.DOTALL)
-        )
+        end = topological.index(":named axiom.irreflexive))") + len(":named axiom.irreflexive))")
+        begin = topological.rindex("(assert", 0, end)
+        (folder / "topological.smt2").write_text(topological[:begin] + topological[end:])
         small = self.file("hub.trace.json", hub(4))
         for options in (["--axioms", folder], ["--check", "both"], ["--check", "solver"]):
             code, found = report(small, "--minimal", *options)
@@ -176,7 +175,7 @@ class Minimal(Folder):
             self.assertEqual(len(done.stderr.splitlines()), 1, options)
 
 
-class Limits(Minimal):
+class Limits(Search):
     def stopped(self, trace, *options, by):
         file = self.folder / "stopped.maps.json"
         done = run("map", trace, "--json", file, *options)
@@ -192,12 +191,12 @@ class Limits(Minimal):
         trace = self.file("hub.trace.json", hub(14))
         text, found = self.stopped(trace, "--minimal", "--time-limit", "0.5s", by="time limit")
         best = found["bounds"]["best"]
-        self.assertEqual((best["paths"], best["places"]), (7, 8))
-        self.assertEqual(found["bounds"]["paths_at_least"], 7)
+        proved = found["bounds"]["paths_at_least"]
+        self.assertLessEqual(proved, 7)  # the truth
+        self.assertGreaterEqual(best["paths"], 7)
         self.assertEqual(len(found["maps"]), min(best["count"], 100))
-        self.assertIn(
-            f"\npaths ≥ 7 proved; best so far 7 paths, 8 places, {best['count']} map", text
-        )
+        known = f"{best['paths']} paths, {best['places']} places, {best['count']} map"
+        self.assertIn(f"\npaths ≥ {proved} proved; best so far {known}", text)
         self.assertEqual(found["options"]["time_limit_s"], 0.5)
 
     def test_stopped_before_it_began(self):
@@ -234,7 +233,7 @@ class Limits(Minimal):
             self.assertEqual(run("validate", checkpoint).returncode, 0)
 
 
-class Checkpoints(Minimal):
+class Checkpoints(Search):
     def test_a_run_that_is_killed_goes_on_to_the_same_bytes(self):
         """Each round is killed until its own time is enough, from another moment each time."""
         trace = self.grid(6, 100, 0.1, 3)
@@ -252,13 +251,20 @@ class Checkpoints(Minimal):
             options += ["--checkpoint", checkpoint, "--checkpoint-every", 0.02]
             command = [PROGRAM, "map", trace, *map(str, options)]
             after_s = moments.uniform(0.02, 0.6 * whole_s) if kills < KILLS else 600
+            running = subprocess.Popen(
+                command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            )
+            while kills == 0 and not checkpoint.exists() and running.poll() is None:
+                time.sleep(0.001)  # or no run might come to one before it is killed
             try:
-                done = subprocess.run(command, capture_output=True, text=True, timeout=after_s)
-            except subprocess.TimeoutExpired:  # which kills it
+                running.wait(after_s)
+            except subprocess.TimeoutExpired:
+                running.kill()
+                running.wait()
                 kills += 1
                 resumed += checkpoint.exists()
                 continue
-            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(running.returncode, 0)
             self.assertEqual(result.read_bytes(), expected)
             self.assertFalse(checkpoint.exists())
             result.unlink()
