@@ -62,9 +62,11 @@ std::optional<std::string> search_on(MinimalSearch& search, const MapCommand& co
   return progress.stopped_by();
 }
 
-/// Has the solver certify the models found; what it refutes is a fault.
+/// Has the solver certify the models found, if they fit; what it refutes is a fault.
 bool is_certified(const MinimalSearch& search, const MapCommand& command, const AxiomSet& axioms,
                   Progress& progress) {
+  const std::size_t model_bytes = sizeof(std::vector<Arrival>) + command.visits * sizeof(Arrival);
+  if (!progress.has_room(search.bounds().count * model_bytes)) return false;
   progress.grown("certifying the minimal models");
   const double seconds = std::min(command.options.certify_s, progress.seconds_left().value_or(1e9));
   const Certificate certificate = certify(search.trace(), axioms, command.options.planar,
