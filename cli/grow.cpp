@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::uint64_t most_maps_in_chart = 10'000'000;
 
+/// What a minimal model takes as a map and as a data association, about.
+std::uint64_t model_bytes(std::size_t visits) { return 1000 + 300 * visits; }
+
 MapReport empty_report(const MapCommand& command, const AxiomSet& axioms,
                        std::optional<std::string> stopped_by) {
   MapReport report;
@@ -39,8 +42,10 @@ void add_minimal(MapReport& report, const Trace& trace,
                     .certified = false};
   if (command.options.certify_s > 0) {
     progress.grown("certifying the minimal models");
-    const Certificate certificate = certify(trace, axioms, command.options.planar, models,
-                                            command.options.certify_s, command.options.assumptions);
+    const double seconds =
+        std::min(command.options.certify_s, progress.seconds_left().value_or(1e9));
+    const Certificate certificate = certify(trace, axioms, command.options.planar, models, seconds,
+                                            command.options.assumptions);
     if (certificate == Certificate::refuted && !may_be_refuted)
       throw std::logic_error("the solver refutes the minimal models");
     report.minimal->certified = certificate == Certificate::shown;
@@ -52,7 +57,7 @@ void add_minimal(MapReport& report, const Trace& trace,
 std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
                                 Progress& progress) {
   const bool may_stop = command.options.max_hypotheses || command.options.time_limit_s ||
-                        command.options.check != "native";
+                        command.options.memory_limit_bytes || command.options.check != "native";
   const std::size_t step = may_stop ? 1 : trace.visits.size();
   for (std::size_t k = 0; k < trace.visits.size(); k += step) {
     // The tree asks now and then within a level; a small one is over before.
@@ -81,9 +86,14 @@ MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomS
   if (report.per_visit->empty()) report.per_visit.reset();
   if (tree.trace().visits.size() < command.visits) return report;
   report.consistent = tree.size();
-  if (tree.size() > 0)
-    add_minimal(report, tree.trace(), minimal_models(tree), command, axioms, progress,
-                tree.undecided() > 0);
+  if (tree.size() == 0) return report;
+  if (!progress.has_room(tree.minimal().size() * model_bytes(command.visits))) {
+    report.stopped_by = "memory limit";
+    report.complete = false;
+    return report;
+  }
+  add_minimal(report, tree.trace(), minimal_models(tree), command, axioms, progress,
+              tree.undecided() > 0);
   return report;
 }
 
@@ -105,12 +115,20 @@ std::vector<std::uint64_t> other_counts(const MapCommand& command, const AxiomSe
   if (axioms.is_shipped()) other.options.check = "native";
   other.options.max_hypotheses =
       std::min(other.options.max_hypotheses.value_or(UINT64_MAX), most_maps_in_chart);
-  Progress progress(trace.visits.size(), command.options.time_limit_s);
+  Progress progress(trace.visits.size(), command.options.time_limit_s,
+                    command.options.memory_limit_bytes);
   MapTree::Options options = tree_options(other, axioms);
   options.go_on = std::ref(progress);
   MapTree tree(std::move(options));
   grow(tree, trace, other, progress);
   return {tree.per_visit().begin(), tree.per_visit().end()};
+}
+
+MapReport::Bounds bounds_of(const MinimalSearch& search) {
+  const auto [at_least, best, count] = search.bounds();
+  MapReport::Bounds bounds{.at_least = at_least, .best = {}};
+  if (best) bounds.best = {best->paths, best->places, count};
+  return bounds;
 }
 
 }  // namespace asterism

@@ -36,4 +36,7 @@ MapReport report_of(const MinimalSearch& search, const MapCommand& command, cons
 std::vector<std::uint64_t> other_counts(const MapCommand& command, const AxiomSet& axioms,
                                         const Trace& trace);
 
+/// What a search knows so far.
+MapReport::Bounds bounds_of(const MinimalSearch& search);
+
 }  // namespace asterism

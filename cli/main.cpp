@@ -277,7 +277,7 @@ void add_validate(CLI::App& app, std::vector<std::string>& files, std::function<
   asterism validate my-axioms
   asterism validate out/trajectory.tum out/map.yaml out/layout.g2o
 Of these endings, all but *.json and *.yaml maybe with .gz or .xz: *.maps.json is a maps file,
-*.expect.json what a trace is expected to give, *.log and *.clf a CARMEN log of laser scans, *.tum a trajectory, *.gmapping.txt a reference,
+*.checkpoint.json where a search stands, *.expect.json what a trace is expected to give, *.log and *.clf a CARMEN log of laser scans, *.tum a trajectory, *.gmapping.txt a reference,
 *.relations surveyed relations, *.g2o a pose graph, *.pgm a picture, *.yaml an occupancy map with
 its picture. A folder holds axioms, anything else is a trace.)");
   validate.add_option("files", files, "Traces, maps, logs and others, folders of axioms")

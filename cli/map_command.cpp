@@ -1,31 +1,22 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <numeric>
 #include <span>
 
 #include "cli/grow.hpp"
+#include "cli/map_minimal.hpp"
 #include "cli/map_parts.hpp"
-#include "cli/map_text.hpp"
+#include "cli/map_results.hpp"
 #include "cli/progress.hpp"
 #include "cli/ssh_map.hpp"
 #include "engine/map_tree.hpp"
 #include "io/atomic_file.hpp"
 #include "io/chart_svg.hpp"
-#include "io/map_svg.hpp"
 #include "io/maps_file.hpp"
 #include "io/trace_file.hpp"
-#include "planarity/plane_drawing.hpp"
 
 namespace asterism {
 namespace {
-
-constexpr std::size_t most_maps_in_text = 20;
-constexpr std::size_t most_drawings = 100;
 
 /// All hypotheses in the order of reports, by (visits, entered).                     [DESIGN §9]
 class SortedMaps {
@@ -43,6 +34,11 @@ class SortedMaps {
     std::ranges::sort(order_, [&](std::size_t a, std::size_t b) {
       return std::ranges::lexicographical_compare(key(a), key(b));
     });
+  }
+
+  /// Held for each hypothesis.
+  static std::size_t bytes(std::size_t visits) {
+    return 2 * visits * sizeof(std::uint32_t) + sizeof(std::size_t);
   }
 
   void for_each(const std::function<void(const TopologicalMap&)>& f) const {
@@ -69,24 +65,16 @@ class SortedMaps {
 };
 
 void write_drawings(const MapCommand& command, const AxiomSet& axioms, const Trace& trace,
-                    const MapReport& report, std::span<const TopologicalMap> models) {
-  const std::filesystem::path folder(*command.svg_folder);
-  make_folder(folder);
-  const std::size_t drawings = std::min(models.size(), most_drawings);
-  for (std::size_t i = 0; i < drawings; ++i)
-    write_atomically(
-        (folder / fmt::format("model-{}.svg", i)).string(),
-        map_svg(models[i], draw(models[i]),
-                fmt::format("{}, {}minimal model {} (of {})", trace.name,
-                            report.options.planar ? "planar " : "", i, models.size())));
-  remove_from(folder, "model-{}.svg", drawings);
+                    const MapReport& report, std::span<const TopologicalMap> models,
+                    const Progress& progress) {
+  write_models(command, report, models, models.size());
   const auto own = report.per_visit.value_or(std::vector<std::uint64_t>{});
-  const auto other = other_counts(command, axioms, trace);
-  write_atomically((folder / "hypotheses.svg").string(),
+  MapCommand in_time_left = command;
+  in_time_left.options.time_limit_s = progress.seconds_left();
+  const auto other = other_counts(in_time_left, axioms, trace);
+  write_atomically((std::filesystem::path(*command.svg_folder) / "hypotheses.svg").string(),
                    hypotheses_chart_svg(trace.name, report.options.planar ? other : own,
                                         report.options.planar ? own : other));
-  if (drawings < models.size())
-    fmt::print(stderr, "drew the first {} of {} minimal models\n", drawings, models.size());
 }
 
 }  // namespace
@@ -103,7 +91,11 @@ int map_command(const MapCommand& given) {
   command.visits = trace.visits.size();
   if (!command.why_not.empty()) return why_not(command, axioms, trace);
 
-  Progress progress(trace.visits.size(), command.options.time_limit_s);
+  if (command.options.method == "search") return map_minimal(command, axioms, trace);
+  require_no_checkpoint(command, "a search that lists all maps", "shipped axioms and no --check");
+
+  Progress progress(trace.visits.size(), command.options.time_limit_s,
+                    command.options.memory_limit_bytes);
   MapTree::Options options = tree_options(command, axioms);
   options.go_on = std::ref(progress);
   MapTree tree(std::move(options));
@@ -115,29 +107,23 @@ int map_command(const MapCommand& given) {
   MapSource maps = [&](const auto& write) {
     for (const TopologicalMap& map : models) write(map);
   };
-  if (command.options.all && report.consistent) {
+  if (command.options.all && report.consistent &&
+      !progress.has_room(tree.size() * SortedMaps::bytes(command.visits))) {
+    report.stopped_by = "memory limit";
+    report.complete = false;
+    report.minimal.reset();
+    maps = [](const auto&) {};
+    report.maps.clear();
+  } else if (command.options.all && report.consistent) {
     maps = [sorted = SortedMaps(tree)](const auto& write) { sorted.for_each(write); };
     report.maps.clear();
     maps([&](const TopologicalMap& map) {
       if (report.maps.size() <= most_maps_in_text) report.maps.push_back(map);
     });
   }
-  if (command.json == "-") {
-    write_maps(std::cout, report, maps);
-  } else {
-    if (command.json)
-      write_atomically(*command.json, [&](std::ostream& out) { write_maps(out, report, maps); });
-    fmt::print("{}", report_text(report, trace.visits.size(), most_maps_in_text));
-  }
-  if (command.svg_folder) write_drawings(command, axioms, trace, report, models);
-  if (command.smt2_folder) {
-    std::size_t i = 0;
-    maps([&](const TopologicalMap& map) {
-      write_problem(*command.smt2_folder, fmt::format("map-{}.smt2", i++), trace, arrivals(map),
-                    axioms);
-    });
-    remove_from(*command.smt2_folder, "map-{}.smt2", i);
-  }
+  write_report(command, report, maps);
+  if (command.svg_folder) write_drawings(command, axioms, trace, report, models, progress);
+  write_problems(command, axioms, trace, maps);
   if (!report.complete) return exit_undecided;
   return report.consistent.value_or(0) > 0 ? exit_consistent : exit_inconsistent;
 }

@@ -34,7 +34,7 @@ void add_limits(CLI::App& app, MapOptions& options) {
       ->check(whole_number);
   app.add_option("--time-limit", options.time_limit_s, "Stop after this many seconds")
       ->type_name("S")
-      ->check(seconds);
+      ->transform(duration);
 }
 
 void add_axiom_options(CLI::App& app, AxiomOptions& options) {
@@ -47,12 +47,47 @@ void add_axiom_options(CLI::App& app, AxiomOptions& options) {
       ->take_all();
 }
 
+namespace {
+
+/// The search for the minimal models alone, and what can be asked of it.
+void add_minimal(CLI::App& map, MapCommand& command) {
+  CLI::Option& minimal = *map.add_flag("--minimal", command.minimal,
+                                       "Search for the minimal models and prove them, without "
+                                       "listing all maps; lists them after all "
+                                       "for a trace of the basic SSH, with --check and with axioms "
+                                       "that the search does not know, and "
+                                       "says so");
+  for (const char* option : {"--all", "--max-hypotheses", "--why-not"})
+    minimal.excludes(map.get_option(option));
+  map.add_option("--jobs", command.jobs, "Threads of the search")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str()
+      ->needs(&minimal);
+  CLI::Option& checkpoint =
+      *map.add_option("--checkpoint", command.checkpoint,
+                      "Keep in a file where the search stands; removed once it is through")
+           ->type_name("FILE")
+           ->needs(&minimal);
+  map.add_option("--checkpoint-every", command.checkpoint_every_s, "Seconds between")
+      ->type_name("S")
+      ->check(seconds)
+      ->capture_default_str()
+      ->needs(&checkpoint);
+  map.add_flag("--resume", command.resume, "Go on from the checkpoint, if there is one")
+      ->needs(&checkpoint);
+}
+
+}  // namespace
+
 void add_map(CLI::App& app, MapCommand& command, std::function<int()>& chosen) {
   CLI::App& map = *app.add_subcommand("map", "Find every map that explains a trace");
   map.footer(R"(Examples:
   asterism map examples/aces-stubs.trace.json --planar
   asterism map drive.trace.json --svg drawings --json drive.maps.json
   asterism map drive.trace.json --all --json - | jq .consistent
+  asterism map drive.trace.json --minimal --jobs 2 --checkpoint drive.checkpoint.json --resume
+  asterism map drive.trace.json --minimal --time-limit 60 --memory-limit 2G
   asterism map drive.trace.json --why-not 0,1,2,0
   asterism map drive.trace.json --assume 'same(0,8)' --assume 'differ(2,5)'
   asterism map examples/05_square.trace.json
@@ -63,11 +98,13 @@ Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a
   add_maps_of_trace(map, command);
   add_check(map, options);
   add_assumptions(map, command.assume);
-  map.add_option("--certify", options.certify_s,
-                 "Seconds the solver may take to certify the minimal models; 0: do not")
-      ->type_name("S")
-      ->check(seconds)
-      ->capture_default_str();
+  CLI::Option& certify =
+      *map.add_option("--certify", options.certify_s,
+                      "Seconds the solver may take to certify the minimal models; 0: do not, as "
+                      "with --minimal unless given")
+           ->type_name("S")
+           ->check(seconds)
+           ->capture_default_str();
   map.add_option("--json", command.json, "Write a maps file; -: alone on stdout")
       ->type_name("FILE");
   map.add_flag("--all", options.all, "List every map, not the minimal models alone");
@@ -86,10 +123,18 @@ Exit code: 0 a map exists, 1 none does (with --why-not: refuted), 2 stopped by a
            ->check(whole_number)
            ->delimiter(',');
   add_limits(map, options);
-  for (const char* option :
-       {"--json", "--all", "--svg", "--max-hypotheses", "--time-limit", "--assume"})
+  map.add_option("--memory-limit", options.memory_limit_bytes,
+                 "Stop before more memory is held: bytes, or 500K, 200M, 1G")
+      ->type_name("SIZE")
+      ->transform(memory_size);
+  add_minimal(map, command);
+  for (const char* option : {"--json", "--all", "--svg", "--max-hypotheses", "--time-limit",
+                             "--memory-limit", "--assume"})
     why_not.excludes(map.get_option(option));
-  map.callback([&] { chosen = [&] { return map_command(command); }; });
+  map.callback([&] {
+    if (command.minimal && certify.count() == 0) options.certify_s = 0;
+    chosen = [&] { return map_command(command); };
+  });
 }
 
 }  // namespace asterism

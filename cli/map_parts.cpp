@@ -37,10 +37,21 @@ AxiomSet read_axioms(MapCommand& command) {
   command.options.axioms = command.axioms.folder.value_or("shipped");
   command.options.optional_axioms = command.axioms.optional;
   std::ranges::sort(command.options.optional_axioms);
+  if (command.minimal) {
+    // The search knows the shipped axioms, as the native engine does.
+    if (!axioms.is_shipped() && command.options.check == "native") command.options.check = "solver";
+    command.options.method = command.options.check == "native" ? "search" : "listing";
+  }
   if (command.options.check != "solver" && !axioms.is_shipped())
     throw InputError("--axioms", "other axioms than the shipped ones",
                      "--check solver with them, since the native engine knows no others");
   return axioms;
+}
+
+void require_no_checkpoint(const MapCommand& command, const std::string& found,
+                           const std::string& expected) {
+  if (command.checkpoint)
+    throw InputError("--checkpoint", found, expected + ", since maps listed have none");
 }
 
 std::vector<StatedAssumption> read_assumptions(std::span<const std::string> texts) {

@@ -18,6 +18,10 @@ namespace asterism {
 /// @throws InputError if they cannot be read, or need the solver and `check` names another
 AxiomSet read_axioms(MapCommand& command);
 
+/// @throws InputError if a command that lists maps is to write a checkpoint, which searches do
+void require_no_checkpoint(const MapCommand& command, const std::string& found,
+                           const std::string& expected);
+
 /// What is assumed, as read; `require_visits` says which assumptions a trace cannot have.
 /// @throws QueryError
 std::vector<StatedAssumption> read_assumptions(std::span<const std::string> texts);

@@ -34,7 +34,62 @@ bool has_segment(const TopologicalMap& map, PlaceArm arm) {
   });
 }
 
+/// How many maps there are, all and minimal; or what a search knows.
+std::string counts_text(const MapReport& report, const std::string& planar) {
+  std::string text;
+  const bool is_searched = report.options.method == "search" && report.complete;
+  if (report.consistent == 0U || (is_searched && !report.minimal)) {
+    text += fmt::format("no {}map explains the trace{}", planar,
+                        report.options.assumptions.empty() ? "" : " under these assumptions");
+    if (report.per_visit)
+      text += fmt::format(": none is left after visit {}",
+                          std::ranges::find(*report.per_visit, 0U) - report.per_visit->begin());
+    else if (report.explained_visits)
+      text += fmt::format(": none is left after visit {}", *report.explained_visits);
+    text += '\n';
+  } else if (report.consistent) {
+    text += fmt::format("{} {} the trace\n", counted(*report.consistent, planar + "map"),
+                        *report.consistent == 1 ? "explains" : "explain");
+  }
+  if (report.minimal) text += minimal_text(*report.minimal, report.options);
+  if (report.bounds) text += bounds_text(*report.bounds, report.options.preference.front()) + '\n';
+  return text;
+}
+
+/// Listed in the report, or counted there where it holds the first alone.
+std::size_t number_of_maps(const MapReport& report) {
+  if (report.options.all) return report.consistent.value_or(0);
+  if (report.minimal) return report.minimal->count;
+  return report.bounds && report.bounds->best ? report.bounds->best->count : report.maps.size();
+}
+
 }  // namespace
+
+std::string bounds_text(const MapReport::Bounds& bounds, const std::string& first_extent) {
+  return fmt::format("{}s ≥ {} proved; ", first_extent, bounds.at_least) +
+         (bounds.best ? fmt::format("best so far {}, {}, {}", counted(bounds.best->paths, "path"),
+                                    counted(bounds.best->places, "place"),
+                                    counted(bounds.best->count, "map"))
+                      : "no map found so far");
+}
+
+std::string minimal_text(const MapReport::Minimal& minimal, const MapOptions& options) {
+  const bool is_searched = options.method == "search";
+  std::string how = minimal.certified        ? "certified by the solver"
+                    : options.certify_s <= 0 ? (is_searched ? "" : "not certified")
+                    : options.time_limit_s
+                        ? "not certified in the time left"
+                        : fmt::format("not certified within {} s", options.certify_s);
+  if (is_searched) how = "proved minimal by exhausted search" + (how.empty() ? "" : ", " + how);
+  return fmt::format("{}: {}, {}; {}\n", counted(minimal.count, "minimal model"),
+                     counted(minimal.paths, "path"), counted(minimal.places, "place"), how);
+}
+
+std::string method_text(const MapOptions& options) {
+  if (!options.method) return "";
+  return options.method == "search" ? "minimal models searched for, maps not listed\n"
+                                    : "minimal models chosen from all maps, listed\n";
+}
 
 std::string printable(std::string text) {
   std::ranges::replace_if(
@@ -79,6 +134,7 @@ std::string report_text(const MapReport& report, std::size_t visits, std::size_t
   std::string text = fmt::format("{}: {}, {}\n", printable(report.trace), counted(visits, "visit"),
                                  counted(visits - 1, "travel"));
   text += assuming_text(report.options.assumptions);
+  text += method_text(report.options);
   if (report.per_visit)
     text += fmt::format("{}maps after each visit: {}\n", planar, fmt::join(*report.per_visit, " "));
   if (!report.complete) {
@@ -88,34 +144,11 @@ std::string report_text(const MapReport& report, std::size_t visits, std::size_t
     else
       text += "\n";
   }
-  if (report.consistent) {
-    const auto explained = [&] {
-      return report.per_visit
-                 ? static_cast<std::size_t>(std::ranges::find(*report.per_visit, std::uint64_t{0}) -
-                                            report.per_visit->begin())
-                 : report.explained_visits.value_or(0);
-    };
-    if (*report.consistent == 0)
-      text += fmt::format("no {}map explains the trace{}: none is left after visit {}\n", planar,
-                          report.options.assumptions.empty() ? "" : " under these assumptions",
-                          explained());
-    else
-      text += fmt::format("{} {} the trace\n", counted(*report.consistent, planar + "map"),
-                          *report.consistent == 1 ? "explains" : "explain");
-  }
-  if (report.minimal) {
-    const auto& minimal = *report.minimal;
-    text += fmt::format("{}: {}, {}; {}\n", counted(minimal.count, "minimal model"),
-                        counted(minimal.paths, "path"), counted(minimal.places, "place"),
-                        minimal.certified ? "certified by the solver"
-                        : report.options.certify_s > 0
-                            ? fmt::format("not certified within {} s", report.options.certify_s)
-                            : "not certified");
-  }
+  text += counts_text(report, planar);
+  const bool are_minimal = !report.options.all && !report.bounds;
   for (std::size_t i = 0; i < std::min(report.maps.size(), most_maps); ++i)
-    text += fmt::format("\n{} {}\n", report.options.all ? "map" : "model", i) +
-            map_text(report.maps[i]);
-  const std::size_t all = report.options.all ? report.consistent.value_or(0) : report.maps.size();
+    text += fmt::format("\n{} {}\n", are_minimal ? "model" : "map", i) + map_text(report.maps[i]);
+  const std::size_t all = number_of_maps(report);
   if (all > most_maps) text += fmt::format("\n({} more: see --json)\n", all - most_maps);
   return text;
 }

@@ -33,7 +33,12 @@ struct MapCommand {
   std::vector<std::string> assume;  ///< texts of assumptions
   std::optional<std::string> svg_folder;
   std::optional<std::string> smt2_folder;
-  std::vector<std::size_t> why_not;  ///< place of each visit, up to the one in question
+  std::vector<std::size_t> why_not;       ///< place of each visit, up to the one in question
+  bool minimal = false;                   ///< search for the minimal models alone
+  unsigned jobs = 1;                      ///< threads of the search
+  std::optional<std::string> checkpoint;  ///< file that the search can go on from
+  double checkpoint_every_s = 10;
+  bool resume = false;  ///< go on from there
 };
 
 struct QueryCommand {

@@ -35,7 +35,7 @@ constexpr std::size_t most_drawings = 100;
 std::optional<std::string> grow(SshTree& tree, std::size_t views, const MapCommand& command,
                                 Progress& progress) {
   const bool may_stop = command.options.max_hypotheses || command.options.time_limit_s ||
-                        command.options.check != "native";
+                        command.options.memory_limit_bytes || command.options.check != "native";
   const std::size_t step = may_stop ? 1 : views;
   for (std::size_t k = 0; k < views; k += step) {
     if (may_stop && !progress(k, tree.size())) return progress.stopped_by();
@@ -72,8 +72,10 @@ SshReport report_of(const SshTree& tree, const Experience& experience, const Map
                     .certified = false};
   if (command.options.certify_s > 0) {
     progress.grown("certifying the minimal models");
+    const double seconds =
+        std::min(command.options.certify_s, progress.seconds_left().value_or(1e9));
     const Certificate certificate =
-        certify(experience, axioms, command.options.planar, report.maps, command.options.certify_s);
+        certify(experience, axioms, command.options.planar, report.maps, seconds);
     // What was kept undecided may well be refuted, given more time.
     if (certificate == Certificate::refuted && tree.undecided() == 0)
       throw std::logic_error("the solver refutes the minimal models of the tree");
@@ -126,7 +128,10 @@ int map_experience(MapCommand& command, const Experience& experience) {
   if (!command.assume.empty())
     throw InputError("--assume", "a trace of the basic SSH", "a trace with stars");
   const AxiomSet axioms = read_axioms(command);
-  Progress progress(experience.views.size(), command.options.time_limit_s);
+  if (command.minimal) command.options.method = "listing";
+  require_no_checkpoint(command, "a trace of the basic SSH", "a trace with stars");
+  Progress progress(experience.views.size(), command.options.time_limit_s,
+                    command.options.memory_limit_bytes);
   MapTree::Options options = tree_options(command, axioms);
   options.go_on = std::ref(progress);
   SshTree tree(experience, std::move(options));

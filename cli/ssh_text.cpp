@@ -64,6 +64,7 @@ std::string report_text(const SshReport& report, std::size_t most_maps) {
   const std::size_t views = report.experience.views.size();
   std::string text = fmt::format("{}: {}, {}\n", printable(report.experience.name),
                                  counted(views, "view"), counted(views - 1, "action"));
+  text += method_text(report.options);
   if (report.per_view)
     text += fmt::format("{}maps after each view: {}\n", planar, fmt::join(*report.per_view, " "));
   if (!report.complete) {
@@ -76,15 +77,7 @@ std::string report_text(const SshReport& report, std::size_t most_maps) {
                 ? fmt::format("no {}map explains the trace\n", planar)
                 : fmt::format("{} {} the trace\n", counted(*report.consistent, planar + "map"),
                               *report.consistent == 1 ? "explains" : "explain");
-  if (report.minimal) {
-    const auto& minimal = *report.minimal;
-    text += fmt::format("{}: {}, {}; {}\n", counted(minimal.count, "minimal model"),
-                        counted(minimal.paths, "path"), counted(minimal.places, "place"),
-                        minimal.certified ? "certified by the solver"
-                        : report.options.certify_s > 0
-                            ? fmt::format("not certified within {} s", report.options.certify_s)
-                            : "not certified");
-  }
+  if (report.minimal) text += minimal_text(*report.minimal, report.options);
   for (std::size_t i = 0; i < std::min(report.maps.size(), most_maps); ++i)
     text += fmt::format("\n{} {}\n", report.options.all ? "map" : "model", i) +
             map_text(report.maps[i], report.experience);

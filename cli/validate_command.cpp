@@ -11,6 +11,7 @@
 #include "cli/suite.hpp"
 #include "core/error.hpp"
 #include "io/carmen_log.hpp"
+#include "io/checkpoint_file.hpp"
 #include "io/occupancy_map.hpp"
 #include "io/pgm_image.hpp"
 #include "io/pose_graph_file.hpp"
@@ -91,11 +92,17 @@ std::string trace_text(const Experience& experience) {
                      experience.views.size());
 }
 
+std::string checkpoint_text(const Checkpoint& checkpoint) {
+  return fmt::format("checkpoint of {}: {} maps, {} branches", printable(checkpoint.search.trace),
+                     checkpoint.state.models.size(), checkpoint.state.branches.size());
+}
+
 /// Reads a file of whatever kind its name says; tells what it is.
 std::string validated(const std::string& file) {
   if (file.ends_with("maps.json"))
     return std::visit([](const auto& report) { return maps_text(report); },
                       read_any_maps_file(file));
+  if (file.ends_with("checkpoint.json")) return checkpoint_text(read_checkpoint_file(file));
   if (file.ends_with("expect.json")) {
     const Expectation expectation = read_expected_answers(file);
     return fmt::format("what to expect: {}", size_text(expectation));

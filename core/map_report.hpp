@@ -22,8 +22,11 @@ struct MapOptions {
   double certify_s = 10;                                 ///< seconds for certification; 0: none
   std::optional<std::uint64_t> max_hypotheses;           ///< live, on one level
   std::optional<double> time_limit_s;
+  std::optional<std::uint64_t> memory_limit_bytes = {};
   std::vector<Assumption> assumptions = {};
   bool all = false;  ///< `maps` holds every hypothesis, not the minimal models alone
+  /// Where the minimal models alone were asked for: "search" for them, or "listing" of all maps.
+  std::optional<std::string> method = {};
 };
 
 /// Everything a run found out: the content of a maps file.                          [DESIGN §9]
@@ -34,6 +37,16 @@ struct MapReport {
     std::size_t count = 0;
     bool certified = false;
   };
+  /// What a search for minimal models knew when a limit ended it.
+  struct Bounds {
+    struct Best {
+      std::size_t paths = 0;
+      std::size_t places = 0;
+      std::size_t count = 0;  ///< maps found with as many; `maps` may hold the first 100 alone
+    };
+    std::uint64_t at_least = 0;  ///< no map has less of the extent that counts most
+    std::optional<Best> best;    ///< absent: no map was found
+  };
 
   std::string trace;  ///< its name
   MapOptions options;
@@ -42,6 +55,7 @@ struct MapReport {
   bool complete = true;
   std::optional<std::string> stopped_by;  ///< which limit, where not complete
   std::optional<Minimal> minimal;         ///< absent: nothing is consistent, or not all listed
+  std::optional<Bounds> bounds = {};      ///< of a search that did not go to the end
   std::vector<TopologicalMap> maps;       ///< sorted by (visits, entered)
   /// Visits explained, where no map explains all of the trace.
   std::optional<std::size_t> explained_visits = {};

@@ -379,14 +379,21 @@ MinimalSearch::Bounds MinimalSearch::bounds() const { return searching_->bounds(
 
 bool MinimalSearch::is_complete() const { return searching_->is_complete; }
 
-void MinimalSearch::for_each(const std::function<void(std::span<const Arrival>)>& f) const {
+void MinimalSearch::for_each(const std::function<void(std::span<const Arrival>)>& f,
+                             std::size_t most) const {
   const ArmTable& table = searching_->table;
   const std::span<const Model> models = searching_->best_models();
   std::vector<std::uint32_t> order(models.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
     return is_before(models[a], models[b], table);
-  });
+  };
+  if (most < order.size()) {
+    std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(most), before);
+    order.resize(most);
+  } else {
+    std::ranges::sort(order, before);
+  }
   for (const std::uint32_t i : order) f(table.arrivals(models[i]));
 }
 

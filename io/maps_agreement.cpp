@@ -117,14 +117,45 @@ void require_assumed(const JsonNode& maps, const TopologicalMap& map, std::size_
   }
 }
 
+/// A search that was stopped knows the best maps that it met, and none better than it proved.
+void require_bounded(const JsonNode& root, const MapReport& report) {
+  const JsonNode node = root["bounds"];
+  const auto& [at_least, best] = *report.bounds;
+  if (report.complete || report.options.method != "search")
+    node.refuse("it only where a search did not go to the end");
+  if (report.minimal) root["minimal"].refuse("null, as the search did not go to the end");
+  if (!best) {
+    if (!report.maps.empty()) root["maps"].refuse(number_of_maps(report.maps.size()), "none");
+    return;
+  }
+  if (best->count == 0) node["best"]["count"].refuse("at least 1");
+  if (report.maps.empty() || report.maps.size() > best->count)
+    root["maps"].refuse(number_of_maps(report.maps.size()), "1 to " + std::to_string(best->count));
+  for (std::size_t i = 0; i < report.maps.size(); ++i) {
+    const TopologicalMap& map = report.maps[i];
+    if (map.paths.size() != best->paths || map.places.size() != best->places)
+      root["maps"].items()[i].refuse(
+          std::to_string(map.paths.size()) + " paths, " + std::to_string(map.places.size()) +
+              " places",
+          std::to_string(best->paths) + " and " + std::to_string(best->places) + " as in bounds");
+  }
+  const std::string& first = report.options.preference.front();
+  const std::size_t least = first == "path"    ? best->paths
+                            : first == "place" ? best->places
+                                               : report.maps.front().segments.size();
+  if (least < at_least)
+    node[first + "s_at_least"].refuse("at most " + std::to_string(least) + ", as the best map has");
+}
+
 }  // namespace
 
 void require_agreement(const JsonNode& root, const MapReport& report) {
   if (report.complete) require_complete(root, report);
   if (report.minimal)
     require_minimal(root, report);
-  else if (!report.options.all && !report.maps.empty())
+  else if (!report.options.all && !report.bounds && !report.maps.empty())
     root["maps"].refuse(number_of_maps(report.maps.size()), "none, as minimal is null");
+  if (report.bounds) require_bounded(root, report);
   if (report.explained_visits) require_unexplained(root, report);
   if (!report.ranked.empty()) require_ranked(root, report);
   for (std::size_t i = 0; i < report.maps.size(); ++i)

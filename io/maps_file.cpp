@@ -58,7 +58,10 @@ void write_maps(std::ostream& out, const MapReport& report, const MapSource& map
                      "per_visit");
   if (report.explained_visits)
     out << ",\n  \"explained\": " << std::to_string(*report.explained_visits);
-  out << ",\n  \"minimal\": " << minimal_json(report.minimal) << ",\n  \"maps\": [";
+  out << ",\n  \"minimal\": " << minimal_json(report.minimal);
+  if (report.bounds)
+    out << ",\n  \"bounds\": " << bounds_json(*report.bounds, report.options.preference.front());
+  out << ",\n  \"maps\": [";
   bool is_first = true;
   maps([&](const TopologicalMap& map) {
     out << (std::exchange(is_first, false) ? "\n" : ",\n");
@@ -91,7 +94,7 @@ MapReport read_maps(std::string_view json_text, const std::string& file_name) {
   root["format"].require("\"asterism/maps\"");
   root["version"].require("1");
   root.require_keys({"format", "version", "trace", "options", "consistent", "per_visit", "complete",
-                     "stopped_by", "explained", "minimal", "maps", "ranked"},
+                     "stopped_by", "explained", "minimal", "bounds", "maps", "ranked"},
                     JsonNode::Extensions::refused);
 
   MapReport report;
@@ -103,6 +106,10 @@ MapReport read_maps(std::string_view json_text, const std::string& file_name) {
   report.complete = complete;
   report.stopped_by = std::move(stopped_by);
   report.minimal = read_minimal(root["minimal"]);
+  if (const auto bounds = root["bounds"]; bounds.exists()) {
+    if (report.options.preference.empty()) bounds.refuse("it only where something is preferred");
+    report.bounds = read_bounds(bounds, report.options.preference.front());
+  }
   report.maps = read_sorted_maps(root["maps"]);
   if (const auto explained = root["explained"]; explained.exists())
     report.explained_visits = explained.count();

@@ -54,6 +54,10 @@ std::string options_json(const MapOptions& options) {
          ", \"max_hypotheses\": " + json_of(options.max_hypotheses) +
          ", \"time_limit_s\": " + json_of(options.time_limit_s) +
          ", \"all\": " + json_of(options.all) +
+         (options.memory_limit_bytes
+              ? ", \"memory_limit_bytes\": " + json_of(*options.memory_limit_bytes)
+              : "") +
+         (options.method ? ", \"method\": " + json_of(*options.method) : "") +
          (options.assumptions.empty()
               ? ""
               : ", \"assumptions\": " + json_of(assumption_texts(options.assumptions))) +
@@ -61,9 +65,10 @@ std::string options_json(const MapOptions& options) {
 }
 
 MapOptions read_options(const JsonNode& node) {
-  node.require_keys({"planar", "check", "axioms", "optional_axioms", "preference", "certify_s",
-                     "max_hypotheses", "time_limit_s", "all", "assumptions"},
-                    Extensions::refused);
+  node.require_keys(
+      {"planar", "check", "axioms", "optional_axioms", "preference", "certify_s", "max_hypotheses",
+       "time_limit_s", "all", "memory_limit_bytes", "method", "assumptions"},
+      Extensions::refused);
   MapOptions options;
   options.planar = node["planar"].boolean();
   options.check = node["check"].string();
@@ -79,6 +84,13 @@ MapOptions read_options(const JsonNode& node) {
   if (const auto limit = node["time_limit_s"]; !limit.is_null())
     options.time_limit_s = read_seconds(limit);
   options.all = node["all"].boolean();
+  if (const auto limit = node["memory_limit_bytes"]; limit.exists())
+    options.memory_limit_bytes = limit.count();
+  if (const auto method = node["method"]; method.exists()) {
+    options.method = method.string();
+    if (options.method != "search" && options.method != "listing")
+      method.refuse("\"search\" or \"listing\"");
+  }
   if (const auto assumed = node["assumptions"]; assumed.exists())
     options.assumptions = read_assumptions(assumed);
   return options;
@@ -121,6 +133,26 @@ std::optional<MapReport::Minimal> read_minimal(const JsonNode& node) {
   node.require_keys({"paths", "places", "count", "certified"}, Extensions::refused);
   return MapReport::Minimal{node["paths"].count(), node["places"].count(), node["count"].count(),
                             node["certified"].boolean()};
+}
+
+std::string bounds_json(const MapReport::Bounds& bounds, const std::string& first_extent) {
+  std::string text =
+      "{ \"" + first_extent + "s_at_least\": " + std::to_string(bounds.at_least) + ", \"best\": ";
+  if (!bounds.best) return text + "null }";
+  return text + "{ \"paths\": " + std::to_string(bounds.best->paths) +
+         ", \"places\": " + std::to_string(bounds.best->places) +
+         ", \"count\": " + std::to_string(bounds.best->count) + " } }";
+}
+
+MapReport::Bounds read_bounds(const JsonNode& node, const std::string& first_extent) {
+  const std::string at_least = first_extent + "s_at_least";
+  node.require_keys({at_least, "best"}, Extensions::refused);
+  MapReport::Bounds bounds{.at_least = node[at_least].count(), .best = {}};
+  const JsonNode best = node["best"];
+  if (best.is_null()) return bounds;
+  best.require_keys({"paths", "places", "count"}, Extensions::refused);
+  bounds.best = {best["paths"].count(), best["places"].count(), best["count"].count()};
+  return bounds;
 }
 
 }  // namespace asterism

@@ -35,4 +35,9 @@ std::string minimal_json(const std::optional<MapReport::Minimal>& minimal);
 /// @throws InputError
 std::optional<MapReport::Minimal> read_minimal(const JsonNode& node);
 
+/// @param first_extent  what counts most in the preference, "path"
+std::string bounds_json(const MapReport::Bounds& bounds, const std::string& first_extent);
+/// @throws InputError
+MapReport::Bounds read_bounds(const JsonNode& node, const std::string& first_extent);
+
 }  // namespace asterism

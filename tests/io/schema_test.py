@@ -1,6 +1,7 @@
 """Holds docs/<kind>.schema.json against the corpus that the reader is held against.
 
-usage: schema_test.py SOURCE_DIR KIND, KIND being trace, maps, expect, or answers (which nothing reads)
+usage: schema_test.py SOURCE_DIR KIND, KIND being trace, maps, expect, checkpoint, or answers (which
+nothing reads)
 
 bad.tsv says of each bad file what a schema can make of it: `refuses`, `accepts` (what is wrong is
 beyond a schema), or `no-json` (there is nothing to judge). Exit code 77: jsonschema is missing.

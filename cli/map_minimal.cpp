@@ -1,0 +1,120 @@
+#include "cli/map_minimal.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/checkpointing.hpp"
+#include "cli/grow.hpp"
+#include "cli/map_results.hpp"
+#include "cli/map_text.hpp"
+#include "cli/progress.hpp"
+#include "engine/certify.hpp"
+#include "engine/minimal_search.hpp"
+
+namespace asterism {
+namespace {
+
+/// Written out where a limit ended the search; of more, only the number is told. There may be
+/// millions, and neither time nor memory left.
+constexpr std::size_t most_maps_so_far = 100;
+
+/// The first of the maps found, as maps.
+std::vector<TopologicalMap> first_maps(const MinimalSearch& search, std::size_t most) {
+  std::vector<TopologicalMap> maps;
+  search.for_each([&](auto model) { maps.push_back(make_map(search.trace(), model)); }, most);
+  return maps;
+}
+
+/// What a search takes before it finds anything: a bit for every two arms of the trace, for each
+/// thread and once more.
+std::uint64_t bytes_at_begin(const MinimalSearch& search) {
+  std::uint64_t arms = 0;
+  for (const Visit& visit : search.trace().visits) arms += visit.star.size();
+  return (search.options().jobs + 1) * arms * arms / 8;
+}
+
+/// Searches until all is known or something stops it.
+/// @return  what did
+std::optional<std::string> search_on(MinimalSearch& search, const MapCommand& command,
+                                     std::optional<Checkpointing>& checkpoint, Progress& progress) {
+  const std::string first_extent = search.options().axioms.preference().front();
+  const std::uint64_t at_begin = bytes_at_begin(search);
+  const auto go_on = [&](const MinimalSearch& running) {
+    const std::uint64_t held = running.memory_bytes();
+    // The list of the maps found is copied as it grows; a checkpoint copies all of it.
+    const std::uint64_t listed = running.bounds().count * sizeof(SearchState::Model);
+    const std::uint64_t to_come =
+        (at_begin > held ? at_begin - held : 0) + listed + (command.checkpoint ? held : 0);
+    return progress([&] { return bounds_text(bounds_of(running), first_extent); }, to_come);
+  };
+  if (!progress.has_room(at_begin)) return "memory limit";
+  const auto outcome = checkpoint ? checkpoint->run(search, go_on) : search.run(go_on);
+  if (outcome == MinimalSearch::Outcome::complete) return std::nullopt;
+  return progress.stopped_by();
+}
+
+/// Has the solver certify the models found, if they fit; what it refutes is a fault.
+bool is_certified(const MinimalSearch& search, const MapCommand& command, const AxiomSet& axioms,
+                  Progress& progress) {
+  const std::size_t model_bytes = sizeof(std::vector<Arrival>) + command.visits * sizeof(Arrival);
+  if (!progress.has_room(search.bounds().count * model_bytes)) return false;
+  progress.grown("certifying the minimal models");
+  const double seconds = std::min(command.options.certify_s, progress.seconds_left().value_or(1e9));
+  const Certificate certificate = certify(search.trace(), axioms, command.options.planar,
+                                          search.models(), seconds, command.options.assumptions);
+  if (certificate == Certificate::refuted)
+    throw std::logic_error("the solver refutes the minimal models of the search");
+  return certificate == Certificate::shown;
+}
+
+}  // namespace
+
+int map_minimal(const MapCommand& command, const AxiomSet& axioms, const Trace& trace) {
+  Progress progress(trace.visits.size(), command.options.time_limit_s,
+                    command.options.memory_limit_bytes);
+  MinimalSearch search({.planar = command.options.planar,
+                        .axioms = axioms,
+                        .assumptions = command.options.assumptions,
+                        .jobs = command.jobs});
+  search.extend(trace.visits);
+  std::optional<Checkpointing> checkpoint;
+  if (command.checkpoint) checkpoint.emplace(command, axioms, trace);
+  if (command.resume) checkpoint->resume(search, progress);
+
+  MapReport report;
+  report.trace = trace.name;
+  report.options = command.options;
+  report.options.preference = axioms.preference();
+  report.stopped_by = search_on(search, command, checkpoint, progress);
+  report.complete = !report.stopped_by;
+  const MapReport::Bounds known = bounds_of(search);
+  if (!report.complete) {
+    report.bounds = known;
+  } else if (known.best) {
+    report.minimal = {known.best->paths, known.best->places, known.best->count, false};
+    if (command.options.certify_s > 0)
+      report.minimal->certified = is_certified(search, command, axioms, progress);
+  }
+  progress.grown("writing the maps found");
+
+  const std::size_t most = report.complete ? SIZE_MAX : most_maps_so_far;
+  const MapSource maps = [&](const auto& write) {
+    search.for_each([&](auto model) { write(make_map(search.trace(), model)); }, most);
+  };
+  report.maps = first_maps(search, command.svg_folder ? most_drawings : most_maps_in_text);
+  write_report(command, report, maps);
+  if (command.svg_folder) {
+    write_models(command, report, report.maps, known.best ? known.best->count : 0);
+    // Of all maps, which an earlier run had listed.
+    std::filesystem::remove(std::filesystem::path(*command.svg_folder) / "hypotheses.svg");
+  }
+  write_problems(command, axioms, trace, maps);
+  if (!report.complete) return exit_undecided;
+  if (checkpoint) checkpoint->remove();
+  return report.minimal ? exit_consistent : exit_inconsistent;
+}
+
+}  // namespace asterism
