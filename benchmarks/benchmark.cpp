@@ -75,9 +75,9 @@ MinimalScale minimal_scale(bool quick, bool smoke) {
     return {.limits = {.search_s = 10, .tree_s = 5, .clingo_s = 10, .solver_s = 10},
             .sizes = 1,
             .seeds = 2,
-            .sweep_s = 0,
+            .sweep_s = 0.01,
             .rounds = 1,
-            .online_walks = 0};
+            .online_walks = 1};
   if (quick)
     return {.limits = {.search_s = 4, .tree_s = 2, .clingo_s = 5, .solver_s = 2},
             .seeds = 3,

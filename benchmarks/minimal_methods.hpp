@@ -30,7 +30,7 @@ struct MinimalLimits {
   double tree_s = 20;
   std::uint64_t tree_maps = 20'000'000;
   double clingo_s = 60;
-  double solver_s = 20;
+  double solver_s = 10;
 };
 
 /// MinimalSearch; what takes milliseconds is run some times, and the median counts.

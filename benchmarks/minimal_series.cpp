@@ -34,8 +34,8 @@ void MinimalMethod::next_size() {
 }
 
 bool MinimalMethod::goes_on() const {
-  if (has_failed_) return patience_.tries_beyond && runs_.results().empty();
-  return runs_.results().size() < patience_.seeds && runs_.unproved() < patience_.unproved;
+  return !has_failed_ && runs_.results().size() < patience_.seeds &&
+         runs_.unproved() < patience_.unproved;
 }
 
 const MinimalResult& MinimalMethod::run(const Trace& trace) {

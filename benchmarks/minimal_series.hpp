@@ -36,9 +36,8 @@ class MinimalRuns {
 class MinimalMethod {
  public:
   struct Patience {
-    std::size_t seeds;          ///< of each size
-    std::size_t unproved = 1;   ///< of a size, then no further seeds
-    bool tries_beyond = false;  ///< one seed of each size greater than that which it failed at
+    std::size_t seeds;         ///< of each size
+    std::size_t unproved = 1;  ///< of a size, then no further seeds
   };
   using Run = std::function<MinimalResult(const Trace&)>;
 

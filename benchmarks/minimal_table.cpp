@@ -23,9 +23,11 @@ void add_minimal_tables(Report& report, const MinimalScale& scale, const std::st
   if (picture)
     write_atomically(
         *picture,
-        time_chart_svg("Time until all minimal models are proved, by travels",
-                       {growth_chart("grids, n × n places", grids),
-                        growth_chart("random corridors, their number below", corridors), sweep}));
+        time_chart_svg(
+            "Time until all minimal models are proved",
+            "open: ended by a limit, without proof; line up and down: from the fastest "
+            "seed to the slowest",
+            {growth_chart("Grids", grids), growth_chart("Random corridors", corridors), sweep}));
 }
 
 }  // namespace asterism

@@ -14,7 +14,7 @@ struct MinimalScale {
   MinimalLimits limits = {};
   std::size_t sizes = 8;   ///< of the walks that grow
   std::size_t seeds = 5;   ///< of each size
-  double sweep_s = 5;      ///< for each search, where the travels grow and the grid does not
+  double sweep_s = 3;      ///< for each search, where the travels grow and the grid does not
   std::size_t rounds = 5;  ///< of one, two and four threads in turn, each time
   std::size_t online_walks = 2;
 };

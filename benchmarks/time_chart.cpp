@@ -16,10 +16,11 @@ constexpr double left = 62;
 constexpr double panel_width = 386;
 constexpr double between = 22;
 constexpr double right = 14;
+constexpr double foot = 16;      // of the picture
 constexpr double head = 44;      // of the picture
-constexpr double row_head = 46;  // its title and legend
+constexpr double row_head = 50;  // its title, legend and names of panels
 constexpr double panel_height = 190;
-constexpr double row_foot = 62;  // its ticks
+constexpr double row_foot = 56;  // its ticks
 constexpr double inset = 18;     // of the first and the last point of an axis
 constexpr double width = left + 2 * panel_width + between + right;
 
@@ -99,17 +100,23 @@ void draw_panel(SvgPen& pen, const Axes& axes, const TimeRow& row, const TimePan
     const auto name = std::ranges::find(row.names, series.name);
     draw_series(pen, axes, series, static_cast<std::size_t>(name - row.names.begin()));
   }
-  pen.text({axes.left_x + 8, axes.top_y + 16}, panel.title, "font-weight=\"bold\"");
+  pen.text({axes.left_x, axes.top_y - 8}, panel.title, "font-size=\"12\"");
 }
 
 void draw_head(SvgPen& pen, const TimeRow& row, double top_y) {
   pen.text({left, top_y + 14}, row.title, "font-weight=\"bold\" font-size=\"14\"");
-  double x = left + 8;
+  // Names are drawn some pixels a character wide, more or less.
+  constexpr double title_character = 7.6;
+  constexpr double character = 6.2;
+  double x = left + 36 + title_character * static_cast<double>(row.title.size());
   for (std::size_t kind = 0; kind < row.names.size(); ++kind) {
-    draw_mark(pen, {x, top_y + 31}, kind, false);
-    pen.text({x + 10, top_y + 35.5}, row.names[kind], "font-size=\"12\"");
-    x += 40 + 6.2 * static_cast<double>(row.names[kind].size());
+    draw_mark(pen, {x, top_y + 9.5}, kind, false);
+    pen.text({x + 10, top_y + 14}, row.names[kind], "font-size=\"12\"");
+    x += 36 + character * static_cast<double>(row.names[kind].size());
   }
+  for (std::size_t line = 0; line < row.axis.size(); ++line)
+    pen.text({left - 8, top_y + row_head + panel_height + 18 + 14 * static_cast<double>(line)},
+             row.axis[line], "text-anchor=\"end\" font-size=\"11\"");
 }
 
 /// The least and the greatest of all that is drawn.
@@ -125,12 +132,14 @@ std::pair<double, double> range(const std::vector<TimeRow>& rows, F&& values) {
             least = std::min(least, value);
             most = std::max(most, value);
           }
-  return least < most ? std::pair(least, most) : std::pair(1.0, 10.0);
+  if (most == 0) return {1, 10};
+  return least < most ? std::pair(least, most) : std::pair(least / 2, most * 2);
 }
 
 }  // namespace
 
-std::string time_chart_svg(const std::string& title, const std::vector<TimeRow>& rows) {
+std::string time_chart_svg(const std::string& title, const std::string& note,
+                           const std::vector<TimeRow>& rows) {
   const auto [fastest_s, slowest_s] = range(rows, [](const TimePoint& point) {
     return std::array{point.fastest_s, point.slowest_s};
   });
@@ -152,7 +161,8 @@ std::string time_chart_svg(const std::string& title, const std::vector<TimeRow>&
     }
     top_y += row_head + panel_height + row_foot;
   }
-  return svg_document(width, top_y, title, pen.body());
+  pen.text({left, top_y}, note, "font-size=\"12\"");
+  return svg_document(width, top_y + foot, title, pen.body());
 }
 
 }  // namespace asterism

@@ -35,12 +35,15 @@ struct TimeRow {
     std::string below;
   };
   std::string title;
-  std::vector<std::string> names;  ///< in the order of the legend
+  std::vector<std::string> names;   ///< in the order of the legend
+  std::array<std::string, 2> axis;  ///< what the two lines of each tick are
   std::vector<Tick> ticks;
   std::array<TimePanel, 2> panels;
 };
 
 /// Times on a logarithmic axis, marks open where a limit ended them. A standalone SVG 1.1.
-std::string time_chart_svg(const std::string& title, const std::vector<TimeRow>& rows);
+/// @param note  stands below
+std::string time_chart_svg(const std::string& title, const std::string& note,
+                           const std::vector<TimeRow>& rows);
 
 }  // namespace asterism
