@@ -76,13 +76,14 @@ MinimalScale minimal_scale(bool quick, bool smoke) {
             .sizes = 1,
             .seeds = 2,
             .sweep_s = 0.01,
-            .rounds = 1,
-            .online_walks = 1};
+            .extended_walks = 1,
+            .rounds = 1};
   if (quick)
     return {.limits = {.search_s = 4, .tree_s = 2, .clingo_s = 5, .solver_s = 2},
             .seeds = 3,
             .sweep_s = 0.5,
-            .rounds = 2};
+            .extending_s = 4,
+            .rounds = 3};
   return {};
 }
 

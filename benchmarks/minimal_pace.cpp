@@ -76,9 +76,12 @@ struct ThreadTimes {
   std::array<std::vector<double>, jobs.size()> seconds;
   bool same = true;  ///< the models are
 
-  ThreadTimes(const Trace& trace, bool planar, std::size_t rounds) {
+  ThreadTimes(const Trace& trace, bool planar, const MinimalScale& scale) {
+    constexpr std::size_t fewest_rounds = 3;
+    const Stopwatch all;
     std::optional<std::vector<std::vector<Arrival>>> models;
-    for (std::size_t round = 0; round < rounds; ++round)
+    for (std::size_t round = 0; round < scale.rounds; ++round) {
+      if (round >= fewest_rounds && all.seconds() > scale.threads_s) break;
       for (std::size_t i = 0; i < jobs.size(); ++i) {
         const Stopwatch stopwatch;
         MinimalSearch search({.planar = planar, .jobs = jobs[i]});
@@ -88,6 +91,7 @@ struct ThreadTimes {
         if (!models) models = search.models();
         same = same && search.models() == *models;
       }
+    }
   }
 
   std::string time_text(std::size_t i) const { return duration_text(median_of(seconds[i])); }
@@ -163,19 +167,18 @@ void add_aims_table(Report& report, std::span<const GrowthRow> grids) {
 
 void add_threads_table(Report& report, const MinimalScale& scale,
                        std::span<const GrowthRow> grids) {
-  constexpr std::size_t most_walks = 3;
+  constexpr std::size_t most_walks = 2;
   constexpr std::size_t most_side = 6;
   std::size_t side = 0;
   for (const GrowthRow& row : grids)
     if (row.walk.size <= most_side) side = std::max(side, row.walk.size);
-  report.begin_table(
-      fmt::format("Threads, on the walks that took longest, median of {} rounds:", scale.rounds),
-      {"walk", "one thread", "two", "gain", "four", "gain"});
+  report.begin_table("Threads, on the walks that took longest, medians:",
+                     {"walk", "one thread", "two", "gain", "four", "gain"});
   for (const Searched& searched : longest_proved(grids, side, most_walks)) {
     const Trace trace = make_trace(searched.walk, searched.seed);
     const std::string name =
         fmt::format("{}, seed {}{}", trace.name, searched.seed, searched.planar ? ", planar" : "");
-    const ThreadTimes times(trace, searched.planar, scale.rounds);
+    const ThreadTimes times(trace, searched.planar, scale);
     report.require(times.same, name + ": the number of threads changes the minimal models");
     report.add_row({name, times.time_text(0), times.time_text(1), times.gain_text(1),
                     times.time_text(2), times.gain_text(2)});
@@ -187,12 +190,12 @@ void add_extending_table(Report& report, const MinimalScale& scale) {
                      {"walk", "extended, all visits", "longest visit", "begun again, all visits",
                       "longest visit"});
   constexpr std::array<GrowingWalk, 2> walks{kGridWalks[2], kGridWalks[3]};
-  for (std::size_t i = 0; i < std::min(scale.online_walks, walks.size()); ++i)
+  for (std::size_t i = 0; i < std::min(scale.extended_walks, walks.size()); ++i)
     for (const bool planar : {false, true}) {
       const Trace trace = make_trace(walks[i], 1);
       const std::string name = trace.name + (planar ? ", planar" : "");
-      const Extending extended(trace, planar, false, scale.limits.search_s);
-      const Extending afresh(trace, planar, true, scale.limits.search_s);
+      const Extending extended(trace, planar, false, scale.extending_s);
+      const Extending afresh(trace, planar, true, scale.extending_s);
       report.require(extended.agrees(afresh), name + ": extended, the minimal models are others");
       std::vector<std::string> cells{name};
       for (const Extending* one : {&extended, &afresh})
