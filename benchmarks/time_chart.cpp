@@ -107,7 +107,7 @@ void draw_head(SvgPen& pen, const TimeRow& row, double top_y) {
   pen.text({left, top_y + 14}, row.title, "font-weight=\"bold\" font-size=\"14\"");
   // Names are drawn some pixels a character wide, more or less.
   constexpr double title_character = 7.6;
-  constexpr double character = 6.2;
+  constexpr double character = 5.6;
   double x = left + 36 + title_character * static_cast<double>(row.title.size());
   for (std::size_t kind = 0; kind < row.names.size(); ++kind) {
     draw_mark(pen, {x, top_y + 9.5}, kind, false);
@@ -119,37 +119,38 @@ void draw_head(SvgPen& pen, const TimeRow& row, double top_y) {
              row.axis[line], "text-anchor=\"end\" font-size=\"11\"");
 }
 
-/// The least and the greatest of all that is drawn.
-template <class F>
-std::pair<double, double> range(const std::vector<TimeRow>& rows, F&& values) {
-  double least = INFINITY;
-  double most = 0;
+/// The least and the greatest of all times that are drawn.
+std::pair<double, double> times(const std::vector<TimeRow>& rows) {
+  double fastest_s = INFINITY;
+  double slowest_s = 0;
   for (const TimeRow& row : rows)
     for (const TimePanel& panel : row.panels)
       for (const TimeSeries& series : panel.series)
-        for (const TimePoint& point : series.points)
-          for (const double value : values(point)) {
-            least = std::min(least, value);
-            most = std::max(most, value);
-          }
-  if (most == 0) return {1, 10};
-  return least < most ? std::pair(least, most) : std::pair(least / 2, most * 2);
+        for (const TimePoint& point : series.points) {
+          fastest_s = std::min(fastest_s, point.fastest_s);
+          slowest_s = std::max(slowest_s, point.slowest_s);
+        }
+  if (fastest_s < slowest_s) return {fastest_s, slowest_s};
+  return {0.001, 1};
+}
+
+std::pair<double, double> values(const std::vector<TimeRow::Tick>& ticks) {
+  const auto [least, most] = std::ranges::minmax(ticks, {}, &TimeRow::Tick::x);
+  if (least.x < most.x) return {least.x, most.x};
+  return {least.x / 2, most.x * 2};
 }
 
 }  // namespace
 
 std::string time_chart_svg(const std::string& title, const std::string& note,
                            const std::vector<TimeRow>& rows) {
-  const auto [fastest_s, slowest_s] = range(rows, [](const TimePoint& point) {
-    return std::array{point.fastest_s, point.slowest_s};
-  });
+  const auto [fastest_s, slowest_s] = times(rows);
   SvgPen pen;
   pen.text({left, 26}, title, "font-size=\"16\" font-weight=\"bold\"");
   double top_y = head;
   for (const TimeRow& row : rows) {
     draw_head(pen, row, top_y);
-    const auto [least_x, most_x] =
-        range({row}, [](const TimePoint& point) { return std::array{point.x}; });
+    const auto [least_x, most_x] = values(row.ticks);
     for (std::size_t i = 0; i < row.panels.size(); ++i) {
       const Axes axes{left + static_cast<double>(i) * (panel_width + between),
                       top_y + row_head,

@@ -43,6 +43,7 @@ struct TimeRow {
 
 /// Times on a logarithmic axis, marks open where a limit ended them. A standalone SVG 1.1.
 /// @param note  stands below
+/// @pre  every row has ticks, within which all of its points are
 std::string time_chart_svg(const std::string& title, const std::string& note,
                            const std::vector<TimeRow>& rows);
 
