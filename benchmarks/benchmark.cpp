@@ -7,12 +7,14 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "benchmarks/explanation_table.hpp"
 #include "benchmarks/exploration_table.hpp"
 #include "benchmarks/metric.hpp"
+#include "benchmarks/minimal_table.hpp"
 #include "benchmarks/perception.hpp"
 #include "benchmarks/tables.hpp"
 #include "benchmarks/traces.hpp"
@@ -68,22 +70,43 @@ std::vector<Trace> explained_traces(bool smoke) {
   return traces;
 }
 
+MinimalScale minimal_scale(bool quick, bool smoke) {
+  if (smoke)
+    return {.limits = {.search_s = 10, .tree_s = 5, .clingo_s = 10, .solver_s = 10},
+            .sizes = 1,
+            .seeds = 2,
+            .sweep_s = 0.01,
+            .extended_walks = 1,
+            .rounds = 1};
+  if (quick)
+    return {.limits = {.search_s = 4, .tree_s = 2, .clingo_s = 5, .solver_s = 2},
+            .seeds = 3,
+            .sweep_s = 0.5,
+            .extending_s = 4,
+            .rounds = 3};
+  return {};
+}
+
 int run(int argc, char** argv) {
   bool explanation = false;
   bool exploration = false;
   bool metric = false;
+  bool minimal = false;
   bool perception = false;
   bool quick = false;
   bool smoke = false;
   std::string output;
+  std::optional<std::string> picture;
   std::string program = ASTERISM_PROGRAM;
   CLI::App app("Measures Asterism beside other programs; fails where they count otherwise");
-  app.add_flag("--quick", quick, "without clingo on the largest trace");
+  app.add_flag("--quick", quick, "without clingo on the largest trace, and shorter limits");
   app.add_flag("--smoke", smoke, "the smallest traces alone, once: are the counts right?");
   app.add_flag("--explanation", explanation, "explanations alone");
   app.add_flag("--perception", perception, "perception alone, without any count");
   app.add_flag("--exploration", exploration, "exploration alone, without any count");
   app.add_flag("--metric", metric, "the metric level alone, without any count");
+  app.add_flag("--minimal", minimal, "the search for minimal models alone");
+  app.add_option("--picture", picture, "SVG file to draw the times of that search in");
   app.add_option("--output", output, "Markdown file to write; stdout where not given");
   app.add_option("--asterism", program, "the program to measure")->capture_default_str();
   try {
@@ -98,9 +121,12 @@ int run(int argc, char** argv) {
                               : Scale{};
   const Programs programs(program, ASTERISM_SOURCE_DIR "/benchmarks");
   Report report;
-  const bool all = !explanation && !exploration && !perception && !metric;
+  const bool all = !explanation && !exploration && !perception && !metric && !minimal;
   const std::size_t most_scans = smoke ? 300 : SIZE_MAX;
   if (all) add_map_tables(report, scale, programs, smoke);
+  if (all || minimal)
+    add_minimal_tables(report, minimal_scale(quick, smoke), ASTERISM_SOURCE_DIR "/benchmarks",
+                       picture);
   if (all || explanation) add_explanation_table(report, explained_traces(smoke));
   if (all || exploration) add_exploration_table(report, smoke ? 2 : 100);
   if (all || perception) add_perception_table(report, perception_cases(data_folder()), most_scans);

@@ -44,6 +44,12 @@ void Report::check(std::string_view what, std::optional<std::uint64_t> found,
   fmt::print(stderr, "{}: found {} maps; expected {}\n", what, *found, expected);
 }
 
+void Report::require(bool holds, std::string_view what) {
+  if (holds) return;
+  counts_agree_ = false;
+  fmt::print(stderr, "{}\n", what);
+}
+
 std::string duration_text(double seconds) {
   if (seconds < 1e-6) return digits(seconds * 1e9, 3) + " ns";
   if (seconds < 1e-3) return digits(seconds * 1e6, 3) + " µs";

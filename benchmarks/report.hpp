@@ -19,6 +19,9 @@ class Report {
   /// Takes note where a count is not as expected; none at all is no fault.
   void check(std::string_view what, std::optional<std::uint64_t> found, std::uint64_t expected);
 
+  /// Takes note where something that must hold does not.
+  void require(bool holds, std::string_view what);
+
   const std::string& markdown() const { return markdown_; }
   bool counts_agree() const { return counts_agree_; }
 

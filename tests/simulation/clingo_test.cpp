@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -7,8 +8,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "benchmarks/asp_facts.hpp"
+#include "benchmarks/minimal_traces.hpp"
 #include "benchmarks/traces.hpp"
 #include "simulation/corridor_world.hpp"
 #include "simulation/grid_world.hpp"
@@ -45,6 +48,14 @@ std::optional<std::size_t> number(const std::string& output, const std::string& 
   const std::size_t line = output.find("\n" + key);
   if (line == std::string::npos) return std::nullopt;
   return std::stoul(output.substr(output.find(':', line) + 1));
+}
+
+/// FNV-1a of the trace, written as facts.
+std::uint64_t fingerprint(const Trace& trace) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : asp_facts(trace))
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
 }
 
 std::size_t count(const Trace& trace) {
@@ -92,4 +103,15 @@ TEST_CASE("the benchmark traces are what they were", "[benchmarks]") {
     CHECK_NOTHROW(require_valid(trace));
     CHECK(trace.visits.size() == benchmark.travels + 1);
   }
+}
+
+TEST_CASE("the walks that grow are what they were", "[benchmarks]") {
+  const auto [walk, name, hash] =
+      GENERATE(std::tuple(kGridWalks[1], "4 × 4, 40 travels", 0xb76e3a5417ecd393ULL),
+               std::tuple(kGridWalks[3], "6 × 6, 100 travels", 0x7effd7cdf149aa90ULL),
+               std::tuple(kCorridorWalks[2], "10 corridors, 45 travels", 0x1f7c4133bd0701d8ULL));
+  const Trace trace = make_trace(walk, 1);
+  CHECK_NOTHROW(require_valid(trace));
+  CHECK(trace.name == name);
+  CHECK(fingerprint(trace) == hash);
 }
