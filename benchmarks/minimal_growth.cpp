@@ -64,7 +64,7 @@ std::vector<MinimalMethod> methods(const MinimalScale& scale, bool planar,
   const std::size_t seeds = scale.seeds;
   std::vector<MinimalMethod> all;
   all.emplace_back(
-      kSearch, MinimalMethod::Patience{.seeds = seeds, .unproved = 2},
+      kSearch, MinimalMethod::Patience{.seeds = seeds, .unproved = 1},
       [=](const Trace& trace) { return search_minimal(trace, planar, limits.search_s); });
   all.emplace_back(kTree, MinimalMethod::Patience{.seeds = seeds},
                    [=](const Trace& trace) { return list_minimal(trace, planar, limits); });
