@@ -26,7 +26,16 @@ Checkpointing::Checkpointing(const MapCommand& command, const AxiomSet& axioms, 
               .planar = command.options.planar,
               .optional_axioms = command.options.optional_axioms,
               .preference = axioms.preference(),
-              .assumptions = command.options.assumptions} {}
+              .assumptions = command.options.assumptions} {
+  std::error_code ignored;  // what cannot be asked for cannot be written either
+  const auto status = std::filesystem::status(file_, ignored);
+  if (command.json == file_)
+    throw InputError("--checkpoint", "the file of --json", "a file of its own");
+  if (std::filesystem::exists(status) && !command.resume)
+    throw InputError(file_, "a file that is there already", "none, or --resume to go on from it");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw InputError(file_, "what is no regular file", "a checkpoint");
+}
 
 void Checkpointing::resume(MinimalSearch& search, const Progress& progress) {
   std::error_code ignored;  // what cannot be asked for cannot be read either
@@ -52,13 +61,14 @@ void Checkpointing::resume(MinimalSearch& search, const Progress& progress) {
 
 MinimalSearch::Outcome Checkpointing::run(MinimalSearch& search,
                                           const std::function<bool(const MinimalSearch&)>& go_on) {
+  write(search);
   try {
     const auto outcome = search.run([&](const MinimalSearch& running) {
       if (!go_on(running)) return false;
-      if (std::chrono::steady_clock::now() - written_ >= every_) write(running);
+      if (std::chrono::steady_clock::now() - written_ >= every_) try_to_write(running);
       return true;
     });
-    if (outcome == MinimalSearch::Outcome::stopped) write(search);
+    if (outcome == MinimalSearch::Outcome::stopped) try_to_write(search);
     return outcome;
   } catch (const std::invalid_argument& error) {
     if (!is_resumed_) throw;
@@ -69,6 +79,15 @@ MinimalSearch::Outcome Checkpointing::run(MinimalSearch& search,
 void Checkpointing::write(const MinimalSearch& search) {
   write_checkpoint_file(file_, {search_, search.state()});
   written_ = std::chrono::steady_clock::now();
+}
+
+void Checkpointing::try_to_write(const MinimalSearch& search) {
+  try {
+    write(search);
+  } catch (const Error& error) {
+    fmt::print(stderr, "{}; the checkpoint written before stays\n", error.what());
+    written_ = std::chrono::steady_clock::now();
+  }
 }
 
 void Checkpointing::remove() const {

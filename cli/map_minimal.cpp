@@ -1,5 +1,7 @@
 #include "cli/map_minimal.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -11,6 +13,7 @@
 #include "cli/map_results.hpp"
 #include "cli/map_text.hpp"
 #include "cli/progress.hpp"
+#include "core/error.hpp"
 #include "engine/certify.hpp"
 #include "engine/minimal_search.hpp"
 
@@ -29,11 +32,11 @@ std::vector<TopologicalMap> first_maps(const MinimalSearch& search, std::size_t 
 }
 
 /// What a search takes before it finds anything: a bit for every two arms of the trace, for each
-/// thread and once more.
+/// thread, for the folding they begin with, and while it looks around.
 std::uint64_t bytes_at_begin(const MinimalSearch& search) {
   std::uint64_t arms = 0;
   for (const Visit& visit : search.trace().visits) arms += visit.star.size();
-  return (search.options().jobs + 1) * arms * arms / 8;
+  return (search.options().jobs + 2) * arms * arms / 8;
 }
 
 /// Searches until all is known or something stops it.
@@ -73,6 +76,9 @@ bool is_certified(const MinimalSearch& search, const MapCommand& command, const 
 }  // namespace
 
 int map_minimal(const MapCommand& command, const AxiomSet& axioms, const Trace& trace) {
+  if (trace.visits.size() > MinimalSearch::max_visits)
+    throw InputError(command.trace, fmt::format("{} visits", trace.visits.size()),
+                     fmt::format("at most {} with --minimal", MinimalSearch::max_visits));
   Progress progress(trace.visits.size(), command.options.time_limit_s,
                     command.options.memory_limit_bytes);
   MinimalSearch search({.planar = command.options.planar,

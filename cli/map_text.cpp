@@ -81,8 +81,14 @@ std::string minimal_text(const MapReport::Minimal& minimal, const MapOptions& op
                         ? "not certified in the time left"
                         : fmt::format("not certified within {} s", options.certify_s);
   if (is_searched) how = "proved minimal by exhausted search" + (how.empty() ? "" : ", " + how);
-  return fmt::format("{}: {}, {}; {}\n", counted(minimal.count, "minimal model"),
-                     counted(minimal.paths, "path"), counted(minimal.places, "place"), how);
+  const auto minimised = [&](const char* extent) {
+    return std::ranges::find(options.preference, extent) != options.preference.end();
+  };
+  // What is not minimised may differ from one minimal model to another.
+  const bool is_first_alone = minimal.count > 1 && !(minimised("path") && minimised("place"));
+  return fmt::format("{}: {}{}, {}; {}\n", counted(minimal.count, "minimal model"),
+                     is_first_alone ? "the first has " : "", counted(minimal.paths, "path"),
+                     counted(minimal.places, "place"), how);
 }
 
 std::string method_text(const MapOptions& options) {
@@ -149,7 +155,8 @@ std::string report_text(const MapReport& report, std::size_t visits, std::size_t
   for (std::size_t i = 0; i < std::min(report.maps.size(), most_maps); ++i)
     text += fmt::format("\n{} {}\n", are_minimal ? "model" : "map", i) + map_text(report.maps[i]);
   const std::size_t all = number_of_maps(report);
-  if (all > most_maps) text += fmt::format("\n({} more: see --json)\n", all - most_maps);
+  if (!report.maps.empty() && all > most_maps)
+    text += fmt::format("\n({} more: see --json)\n", all - most_maps);
   return text;
 }
 

@@ -40,7 +40,6 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool goes_on(const std::function<std::string()>& found);
   void show(const std::string& line);
 
   std::size_t visits_;

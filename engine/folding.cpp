@@ -58,6 +58,8 @@ Verdict Folding::begin(std::span<const Assumption> assumptions, const Folding* b
       return Verdict::inconsistent;
 
   // What cannot be by itself cannot be in any map. Those found earlier make later ones shorter.
+  constexpr std::uint64_t united_between_questions = 2'000;
+  std::uint64_t asked = united_;
   for (ArmIndex visit = 0; visit < visits; ++visit) {
     if (!represents(visit)) continue;
     if (!go_on()) return Verdict::undecided;
@@ -67,6 +69,10 @@ Verdict Folding::begin(std::span<const Assumption> assumptions, const Folding* b
       const ArmIndex first = table_.first_arm(other);
       for (ArmIndex y = first; y < first + table_.star_size(other); ++y) {
         if (!has(x, y)) continue;
+        if (united_ - asked >= united_between_questions) {
+          asked = united_;
+          if (!go_on()) return Verdict::undecided;
+        }
         const Mark here = mark();
         const bool can_be = identify(x, y);
         undo(here);
@@ -171,6 +177,7 @@ bool Folding::differ_as_assumed() const {
 
 /// The place of y becomes that of x.
 void Folding::unite(ArmIndex x, ArmIndex y) {
+  ++united_;
   const ArmIndex stays = table_.visit_of(x);
   const ArmIndex goes = table_.visit_of(y);
   const ArmIndex first = table_.first_arm(goes);

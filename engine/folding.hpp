@@ -37,7 +37,7 @@ class Folding {
   /// they can be one.
   /// @param before  of fewer visits of the trace and no more assumptions, nothing settled: what is
   ///                known from there; may be null
-  /// @param go_on   asked once a visit
+  /// @param go_on   asked every few milliseconds
   /// @return inconsistent if the trace, or what is assumed, contradicts itself; undecided if
   ///         `go_on` said no: to be begun again
   Verdict begin(std::span<const Assumption> assumptions, const Folding* before,
@@ -161,6 +161,7 @@ class Folding {
 
   std::vector<std::pair<ArmIndex, ArmIndex>> to_identify_;
   std::vector<ArmIndex> changed_;    ///< visits, by what was identified last
+  std::uint64_t united_ = 0;         ///< so often places became one, undone or not
   std::vector<std::uint32_t> seen_;  ///< of visits and of arms: the stamp of a pass
   std::uint32_t stamp_ = 0;
   std::vector<std::uint32_t> face_;  ///< of a settled place's gateway without settled end: where

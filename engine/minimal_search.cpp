@@ -1,6 +1,7 @@
 #include "engine/minimal_search.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
@@ -94,12 +95,14 @@ class MinimalSearch::Searching {
   void make_workers(std::size_t count);
   void forget_workers();
   bool search_slice();
-  void work(SearchWorker& worker, Deadline until, std::uint64_t most_branchings);
+  void work(SearchWorker& worker, std::uint64_t most_branchings);
 };
 
 void MinimalSearch::Searching::extend(std::span<const Visit> visits) {
   if (visits.empty()) return;
-  const std::vector<Model> known(best_models().begin(), best_models().end());
+  constexpr std::size_t most_grown = 64;
+  const auto best = best_models().first(std::min(best_models().size(), most_grown));
+  const std::vector<Model> known(best.begin(), best.end());
   const std::size_t before = table.visits();
   try {
     for (const Visit& visit : visits) table.append(visit);
@@ -121,9 +124,8 @@ void MinimalSearch::Searching::extend(std::span<const Visit> visits) {
   incumbent.reset();
   incumbent_rank = no_rank;
   level.begin(0);
-  constexpr std::size_t most_grown = 64;
-  for (std::size_t i = 0; i < std::min(known.size(), most_grown); ++i) {
-    auto model = grown(known[i]);
+  for (const Model& shorter : known) {
+    auto model = grown(shorter);
     if (!model) continue;
     const Rank rank = preference.rank(extents_of_model(*model));
     if (rank >= incumbent_rank) continue;
@@ -204,7 +206,7 @@ void MinimalSearch::Searching::forget_workers() {
 void MinimalSearch::Searching::look_around(const std::function<bool()>& go_on) {
   has_looked_around = true;
   SearchLevel around;
-  around.begin(incumbent_rank - 1);
+  around.begin(std::min(incumbent_rank, level.best) - 1);
   SearchWorker worker(table, preference, *folding, around);
   for (std::uint64_t walk = 0; walk < random_walks && go_on(); ++walk) {
     const bool from_first_visit = walk % 2 == 1;
@@ -236,38 +238,51 @@ bool MinimalSearch::Searching::next_level() {
   return true;
 }
 
-void MinimalSearch::Searching::work(SearchWorker& worker, Deadline until,
-                                    std::uint64_t most_branchings) {
+void MinimalSearch::Searching::work(SearchWorker& worker, std::uint64_t most_branchings) {
   const std::uint64_t begin = worker.branchings();
   for (std::uint64_t n = 0; !level.is_stopped(); ++n) {
     if (worker.is_idle()) {
       const auto branch = level.take();
       if (!branch) return;
-      if (!worker.take(*branch)) continue;
+      worker.take(*branch);
     }
-    worker.advance();
+    if (!worker.is_idle()) worker.advance();
     if (level.is_hungry())
       if (auto branch = worker.give()) level.give(std::move(*branch));
-    if ((n % 4 == 0 && is_over(until)) || worker.branchings() - begin >= most_branchings)
+    if ((n % 4 == 0 && level.is_due()) || worker.branchings() - begin >= most_branchings)
       return level.stop();
   }
 }
 
 /// @return whether the level has been searched to its end
 bool MinimalSearch::Searching::search_slice() {
-  const Deadline until = deadline_in(slice_s);
   std::uint64_t branchings = branchings_before;
   for (const SearchWorker& worker : workers) branchings += worker.branchings();
   const bool alone = options.jobs == 1 || branchings < branchings_alone;
   const std::size_t jobs = alone && workers.size() <= 1 ? 1 : options.jobs;
   make_workers(jobs);
-  level.start(static_cast<unsigned>(jobs));
+  level.start(static_cast<unsigned>(jobs), deadline_in(slice_s));
+  std::vector<std::exception_ptr> failures(jobs);
+  const auto work_as = [&](std::size_t i, std::uint64_t most_branchings) {
+    try {
+      work(workers[i], most_branchings);
+    } catch (...) {
+      failures[i] = std::current_exception();
+      level.stop();
+    }
+  };
   {
     std::vector<std::jthread> threads;
-    for (std::size_t i = 1; i < jobs; ++i)
-      threads.emplace_back([&, i] { work(workers[i], until, UINT64_MAX); });
-    work(workers[0], until, jobs < options.jobs ? branchings_alone : UINT64_MAX);
+    try {
+      for (std::size_t i = 1; i < jobs; ++i) threads.emplace_back(work_as, i, UINT64_MAX);
+    } catch (...) {  // no more threads to be had
+      level.stop();
+      throw;
+    }
+    work_as(0, jobs < options.jobs ? branchings_alone : UINT64_MAX);
   }
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
   return level.branches.empty() &&
          std::ranges::all_of(workers, [](const SearchWorker& worker) { return worker.is_idle(); });
 }
@@ -306,7 +321,8 @@ MinimalSearch::Outcome MinimalSearch::Searching::run(
     }
     is_complete = !level.models.empty() || !next_level();
     if (!is_complete) continue;
-    if (level.models.empty()) incumbent.reset();
+    if (level.models.empty() && incumbent)
+      throw std::invalid_argument("no map is left, though one was found");
     // Threads find them in any order; they may differ in extents that nothing minimises.
     std::ranges::sort(level.models,
                       [&](const Model& a, const Model& b) { return is_before(a, b, table); });
@@ -336,25 +352,30 @@ void MinimalSearch::Searching::resume(const SearchState& state) {
   const auto require = [](bool holds, const char* what) {
     if (!holds) throw std::invalid_argument(what);
   };
-  forget_workers();
-  is_complete = false;
   for (const Model& model : state.models) require(explains(model), "a model is none of this trace");
   if (state.incumbent) require(explains(*state.incumbent), "the map found is none of this trace");
   const auto rank_of = [&](const Model& model) { return preference.rank(extents_of_model(model)); };
   const Rank rank = state.models.empty() ? no_rank : rank_of(state.models.front());
   for (const Model& model : state.models)
     require(rank_of(model) == rank && rank == state.limit, "a model is not among the best");
+  require(!state.is_level_begun || preference.first(state.limit) <= table.size(),
+          "more is allowed than a map can have");
+  require(!state.is_level_begun || !state.incumbent || state.limit <= rank_of(*state.incumbent),
+          "more is allowed than the map found has");
   for (const Branch& branch : state.branches)
     for (const auto* decisions : {&branch.decided, &branch.next})
       for (const Decision& decision : *decisions)
         require(decision.arm < table.size() && decision.same.value_or(0) < table.size(),
                 "a branch names an arm that the trace does not have");
+  forget_workers();
+  is_complete = false;
+  is_resumed = state.is_level_begun;
+  has_looked_around = false;
   incumbent = state.incumbent;
   incumbent_rank = incumbent ? rank_of(*incumbent) : no_rank;
   is_level_begun = state.is_level_begun;
-  if (!is_level_begun) return;
+  if (!is_level_begun) return level.begin(0);
   level.resume(state, rank);
-  is_resumed = true;
   at_least = preference.first(state.limit);
 }
 

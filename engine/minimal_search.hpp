@@ -59,7 +59,9 @@ class MinimalSearch {
   /// The robot leaves the place of the last visit.
   void leave(std::size_t left_by);
 
-  /// Searches on, until all is known or `go_on` says no; it is asked every few milliseconds.
+  /// Searches on, until all is known or `go_on` says no; it is asked some fifty times a
+  /// second.
+  /// @throws std::invalid_argument if it was resumed from a state that cannot be one
   Outcome run(const std::function<bool(const MinimalSearch&)>& go_on = {});
 
   Bounds bounds() const;

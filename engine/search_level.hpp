@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/deadline.hpp"
 #include "core/search_state.hpp"
 #include "engine/preference.hpp"
 
@@ -83,7 +84,10 @@ class SearchLevel {
     hungry_ = waiting_ > branches.size();
     return branch;
   }
-  void start(unsigned workers) {
+  /// Whether the slice is over.
+  bool is_due() const { return is_over(until_); }
+  void start(unsigned workers, Deadline until) {
+    until_ = until;
     workers_ = workers;
     waiting_ = 0;
     stopped_ = false;
@@ -108,6 +112,7 @@ class SearchLevel {
   std::atomic<Preference::Rank> refused_ = no_rank;
   std::mutex mutex_;
   std::condition_variable wake_;
+  Deadline until_ = Deadline::max();
   unsigned workers_ = 1;
   unsigned waiting_ = 0;
   std::atomic<bool> stopped_ = false;

@@ -135,7 +135,8 @@ void SearchWorker::expand() {
     if (wandering_) shuffle(next);
     if (may_differ) next.push_back({arm, std::nullopt});
     if (next.empty()) return;
-    if (next.size() > 1) return push(std::move(next));
+    // A long row of places decided without a choice is broken off where time is up.
+    if (next.size() > 1 || level_.is_due()) return push(std::move(next));
     if (!decide(next.front())) return;
   }
 }
@@ -153,23 +154,18 @@ void SearchWorker::shuffle(std::vector<Decision>& next) {
   for (std::size_t i = next.size(); i > 1; --i) std::swap(next[i - 1], next[below(i, *wandering_)]);
 }
 
-/// Settles every place that may be one with none settled. Lists the others.
+/// Settles every place that may be one with none settled. Lists the others: they may be one with
+/// more places then, never with fewer, so once is enough.
 bool SearchWorker::settle_what_differs() {
-  bool again = true;
-  while (again) {
-    again = false;
-    unsettled_.clear();
-    for (ArmIndex visit = 0; visit < table_.visits(); ++visit) {
-      if (!folding_.represents(visit) || folding_.is_settled(visit)) continue;
-      bool differs = true;
-      folding_.for_each_settled(table_.first_arm(visit), [&](ArmIndex) { return differs = false; });
-      if (differs) {
-        if (!decide({table_.first_arm(visit), std::nullopt})) return false;
-        again = true;
-      } else {
-        unsettled_.push_back(visit);
-      }
-    }
+  unsettled_.clear();
+  for (ArmIndex visit = 0; visit < table_.visits(); ++visit) {
+    if (!folding_.represents(visit) || folding_.is_settled(visit)) continue;
+    bool differs = true;
+    folding_.for_each_settled(table_.first_arm(visit), [&](ArmIndex) { return differs = false; });
+    if (!differs)
+      unsettled_.push_back(visit);
+    else if (!decide({table_.first_arm(visit), std::nullopt}))
+      return false;
   }
   return true;
 }
@@ -238,13 +234,11 @@ SearchState::Branch first_branch(const ArmTable& table, const Folding& folding) 
         may_be_one = folding.may_be_one(table.first_arm(visits[i]), arm);
       if (!may_be_one) differ[i][j / 64] |= std::uint64_t{1} << (j % 64);
     }
-  // Greedy, from each in turn, while that is quick; the one that leaves most to choose from is
-  // next.
-  constexpr std::size_t quick = 2'000'000;
-  const std::size_t beginnings =
-      std::clamp(quick / (visits.size() * words), std::size_t{1}, visits.size());
+  // Greedy, from each in turn, while that is quick; what leaves most to choose from comes next.
+  constexpr std::size_t quick = 20'000'000;
+  std::size_t steps = 0;
   std::vector<std::size_t> most;
-  for (std::size_t begin = 0; begin < beginnings; ++begin) {
+  for (std::size_t begin = 0; begin < visits.size() && steps < quick; ++begin) {
     std::vector<std::size_t> chosen{begin};
     std::vector<std::uint64_t> left = differ[begin];
     while (true) {
@@ -254,7 +248,12 @@ SearchState::Branch first_branch(const ArmTable& table, const Folding& folding) 
         if ((left[i / 64] >> (i % 64) & 1) == 0) continue;
         int leaves = 0;
         for (std::size_t w = 0; w < words; ++w) leaves += std::popcount(left[w] & differ[i][w]);
-        if (leaves > best_leaves) best_leaves = leaves, best = i;
+        if (leaves > best_leaves) {
+          best_leaves = leaves;
+          best = i;
+        }
+        steps += words;
+        if (steps > quick) break;
       }
       if (best == visits.size()) break;
       chosen.push_back(best);

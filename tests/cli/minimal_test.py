@@ -291,6 +291,23 @@ class Checkpoints(Search):
         self.assertEqual(done.returncode, 0)
         self.assertIn("no checkpoint to resume from; the search begins afresh", done.stderr)
 
+    def test_a_file_that_is_there_is_kept(self):
+        note = self.file("note.txt", "mine")
+        written = note.read_bytes()
+        done = run("map", ACES, "--minimal", "--checkpoint", note)
+        self.assertEqual(done.returncode, 65)
+        self.assertIn("found a file that is there already; expected none, or --resume", done.stderr)
+        self.assertEqual(run("map", ACES, "--minimal", "--checkpoint", note, "--resume").returncode, 65)
+        self.assertEqual(note.read_bytes(), written)
+        folder = self.folder / "folder"
+        folder.mkdir()
+        done = run("map", ACES, "--minimal", "--checkpoint", folder, "--resume")
+        self.assertEqual(done.returncode, 65)
+        same = self.folder / "same.json"
+        done = run("map", ACES, "--minimal", "--checkpoint", same, "--json", same)
+        self.assertEqual(done.returncode, 65)
+        self.assertFalse(same.exists())
+
     def test_another_search_is_refused(self):
         checkpoint = self.folder / "aces.checkpoint.json"
         options = ["--minimal", "--checkpoint", checkpoint]
@@ -314,14 +331,11 @@ class Checkpoints(Search):
         options = ["--minimal", "--checkpoint", checkpoint]
         self.assertEqual(run("map", trace, *options, "--time-limit", 0.1).returncode, 2)
         good = json.loads(checkpoint.read_text())
-        bad_branch = {"decided": "0 1=0", "next": "4"}
-        twice = {"decided": "0 0", "next": "14"}
         for key, value in (
             ("models", ["0 1 2"]),
             ("incumbent", " ".join(["0"] * 28)),
-            ("branches", [bad_branch]),
-            ("branches", [twice]),
             ("branches", [{"decided": "0", "next": "99999999"}]),
+            ("limit", 2**64 - 1),
         ):
             changed = {"models": []} if key == "incumbent" else {}
             checkpoint.write_text(json.dumps(good | changed | {key: value}))
