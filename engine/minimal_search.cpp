@@ -1,10 +1,8 @@
 #include "engine/minimal_search.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <numeric>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "core/deadline.hpp"
@@ -13,6 +11,7 @@
 #include "engine/folding.hpp"
 #include "engine/preference.hpp"
 #include "engine/search_level.hpp"
+#include "engine/search_threads.hpp"
 #include "engine/search_worker.hpp"
 
 namespace asterism {
@@ -23,13 +22,9 @@ using Decision = SearchState::Decision;
 using Branch = SearchState::Branch;
 using Model = SearchState::Model;
 
-/// Between questions to the caller.
-constexpr double slice_s = 0.02;
 /// For some map, where the first slice did not end the search.
 constexpr std::uint64_t random_walks = 20;
 constexpr std::uint64_t random_walk_branchings = 400;
-/// Before threads are worth their start.
-constexpr std::uint64_t branchings_alone = 500;
 
 /// By (visits, entered): places are numbered by first visit, which an arm tells.    [DESIGN §9]
 bool is_before(const Model& a, const Model& b, const ArmTable& table) {
@@ -81,8 +76,7 @@ class MinimalSearch::Searching {
   std::uint64_t at_least = 0;
   std::optional<Model> incumbent;
   Rank incumbent_rank = no_rank;
-  std::vector<SearchWorker> workers;
-  std::uint64_t branchings_before = 0;  ///< by workers that are no more
+  SearchThreads threads{table, preference, level};
 
  private:
   NativeEngine::Options engine_options() const {
@@ -92,10 +86,6 @@ class MinimalSearch::Searching {
   void look_around(const std::function<bool()>& go_on);
   bool next_level();
   void check_branches();
-  void make_workers(std::size_t count);
-  void forget_workers();
-  bool search_slice();
-  void work(SearchWorker& worker, std::uint64_t most_branchings);
 };
 
 void MinimalSearch::Searching::extend(std::span<const Visit> visits) {
@@ -115,7 +105,7 @@ void MinimalSearch::Searching::extend(std::span<const Visit> visits) {
   if (preference.extents().front() == "path")
     at_least -= std::min<std::uint64_t>(at_least, visits.size());
   const bool had_none = is_complete && known.empty() && before > 0;
-  forget_workers();
+  threads.forget();
   is_begun = false;
   is_level_begun = false;
   has_looked_around = false;
@@ -190,15 +180,6 @@ bool MinimalSearch::Searching::begin(const std::function<bool()>& go_on) {
   return true;
 }
 
-void MinimalSearch::Searching::make_workers(std::size_t count) {
-  while (workers.size() < count) workers.emplace_back(table, preference, *folding, level);
-}
-
-void MinimalSearch::Searching::forget_workers() {
-  for (const SearchWorker& worker : workers) branchings_before += worker.branchings();
-  workers.clear();
-}
-
 /// Some map: to be shown, and to limit what is searched. Worth it where the search takes long.
 ///
 /// Where the narrowest place is decided first, a walk at random comes upon better maps; from the
@@ -220,7 +201,6 @@ void MinimalSearch::Searching::look_around(const std::function<bool()>& go_on) {
   }
   // No two places one: rarely good, always a map, unless it is assumed that some are.
   if (around.models.empty() && !incumbent) worker.stand_apart();
-  branchings_before += worker.branchings();
   if (around.models.empty()) return;
   incumbent = around.models.front();
   incumbent_rank = around.best;
@@ -238,64 +218,11 @@ bool MinimalSearch::Searching::next_level() {
   return true;
 }
 
-void MinimalSearch::Searching::work(SearchWorker& worker, std::uint64_t most_branchings) {
-  const std::uint64_t begin = worker.branchings();
-  for (std::uint64_t n = 0; !level.is_stopped(); ++n) {
-    if (worker.is_idle()) {
-      const auto branch = level.take();
-      if (!branch) return;
-      worker.take(*branch);
-    }
-    if (!worker.is_idle()) worker.advance();
-    if (level.is_hungry())
-      if (auto branch = worker.give()) level.give(std::move(*branch));
-    if ((n % 4 == 0 && level.is_due()) || worker.branchings() - begin >= most_branchings)
-      return level.stop();
-  }
-}
-
-/// @return whether the level has been searched to its end
-bool MinimalSearch::Searching::search_slice() {
-  std::uint64_t branchings = branchings_before;
-  for (const SearchWorker& worker : workers) branchings += worker.branchings();
-  const bool alone = options.jobs == 1 || branchings < branchings_alone;
-  const std::size_t jobs = alone && workers.size() <= 1 ? 1 : options.jobs;
-  make_workers(jobs);
-  level.start(static_cast<unsigned>(jobs), deadline_in(slice_s));
-  std::vector<std::exception_ptr> failures(jobs);
-  const auto work_as = [&](std::size_t i, std::uint64_t most_branchings) {
-    try {
-      work(workers[i], most_branchings);
-    } catch (...) {
-      failures[i] = std::current_exception();
-      level.stop();
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    try {
-      for (std::size_t i = 1; i < jobs; ++i) threads.emplace_back(work_as, i, UINT64_MAX);
-    } catch (...) {  // no more threads to be had
-      level.stop();
-      throw;
-    }
-    work_as(0, jobs < options.jobs ? branchings_alone : UINT64_MAX);
-  }
-  for (const std::exception_ptr& failure : failures)
-    if (failure) std::rethrow_exception(failure);
-  return level.branches.empty() &&
-         std::ranges::all_of(workers, [](const SearchWorker& worker) { return worker.is_idle(); });
-}
-
 /// A search that was extended otherwise knows more of some visits, less of others. Where what was
 /// decided there contradicts what is known here, the level is begun again.
 void MinimalSearch::Searching::check_branches() {
   is_resumed = false;
-  make_workers(1);
-  const bool hold = std::ranges::all_of(
-      level.branches, [&](const Branch& branch) { return workers.front().take(branch); });
-  workers.front().clear();
-  if (hold) return;
+  if (threads.hold(level.branches, *folding)) return;
   if (!level.models.empty()) {
     incumbent = level.models.front();
     incumbent_rank = level.best;
@@ -315,8 +242,8 @@ MinimalSearch::Outcome MinimalSearch::Searching::run(
   if (is_resumed) check_branches();
   while (true) {
     if (!goes_on()) return Outcome::stopped;
-    if (!search_slice()) {
-      if (!has_looked_around) look_around(goes_on);
+    if (!threads.work(*folding, options.jobs)) {
+      if (!has_looked_around && level.is_due()) look_around(goes_on);
       continue;
     }
     is_complete = !level.models.empty() || !next_level();
@@ -343,7 +270,7 @@ SearchState MinimalSearch::Searching::state() const {
   state.refused = level.refused();
   state.incumbent = incumbent;
   state.models = level.models;
-  for (const SearchWorker& worker : workers) worker.add_branches(state.branches);
+  threads.add_branches(state.branches);
   state.branches.insert(state.branches.end(), level.branches.begin(), level.branches.end());
   return state;
 }
@@ -367,7 +294,7 @@ void MinimalSearch::Searching::resume(const SearchState& state) {
       for (const Decision& decision : *decisions)
         require(decision.arm < table.size() && decision.same.value_or(0) < table.size(),
                 "a branch names an arm that the trace does not have");
-  forget_workers();
+  threads.forget();
   is_complete = false;
   is_resumed = state.is_level_begun;
   has_looked_around = false;
@@ -427,16 +354,12 @@ std::vector<std::vector<Arrival>> MinimalSearch::models() const {
 
 std::size_t MinimalSearch::memory_bytes() const {
   std::size_t bytes = searching_->folding ? searching_->folding->memory_bytes() : 0;
-  for (const SearchWorker& worker : searching_->workers) bytes += worker.memory_bytes();
-  return bytes + searching_->best_models().size() *
-                     (sizeof(Model) + searching_->table.visits() * sizeof(ArmIndex));
+  return bytes + searching_->threads.memory_bytes() +
+         searching_->best_models().size() *
+             (sizeof(Model) + searching_->table.visits() * sizeof(ArmIndex));
 }
 
-std::uint64_t MinimalSearch::branchings() const {
-  std::uint64_t sum = searching_->branchings_before;
-  for (const SearchWorker& worker : searching_->workers) sum += worker.branchings();
-  return sum;
-}
+std::uint64_t MinimalSearch::branchings() const { return searching_->threads.branchings(); }
 
 const Trace& MinimalSearch::trace() const { return searching_->table.trace(); }
 
