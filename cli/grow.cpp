@@ -40,19 +40,24 @@ void add_minimal(MapReport& report, const Trace& trace,
                     .places = report.maps.front().places.size(),
                     .count = models.size(),
                     .certified = false};
-  if (command.options.certify_s > 0) {
-    progress.grown("certifying the minimal models");
-    const double seconds =
-        std::min(command.options.certify_s, progress.seconds_left().value_or(1e9));
-    const Certificate certificate = certify(trace, axioms, command.options.planar, models, seconds,
-                                            command.options.assumptions);
-    if (certificate == Certificate::refuted && !may_be_refuted)
-      throw std::logic_error("the solver refutes the minimal models");
-    report.minimal->certified = certificate == Certificate::shown;
-  }
+  report.minimal->certified =
+      is_certified(trace, models, command, axioms, progress, may_be_refuted);
 }
 
 }  // namespace
+
+bool is_certified(const Trace& trace, const std::vector<std::vector<Arrival>>& models,
+                  const MapCommand& command, const AxiomSet& axioms, Progress& progress,
+                  bool may_be_refuted) {
+  if (command.options.certify_s <= 0) return false;
+  progress.grown("certifying the minimal models");
+  const double seconds = std::min(command.options.certify_s, progress.seconds_left().value_or(1e9));
+  const Certificate certificate =
+      certify(trace, axioms, command.options.planar, models, seconds, command.options.assumptions);
+  if (certificate == Certificate::refuted && !may_be_refuted)
+    throw std::logic_error("the solver refutes the minimal models");
+  return certificate == Certificate::shown;
+}
 
 std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapCommand& command,
                                 Progress& progress) {

@@ -22,6 +22,12 @@ std::optional<std::string> grow(MapTree& tree, const Trace& trace, const MapComm
 /// Why the whole tree was not decided, where the solver owes answers.
 std::string undecided_text(const MapTree& tree);
 
+/// Whether the solver certifies the minimal models, if it is to, in the time left.
+/// @throws std::logic_error if it refutes them and may not
+bool is_certified(const Trace& trace, const std::vector<std::vector<Arrival>>& models,
+                  const MapCommand& command, const AxiomSet& axioms, Progress& progress,
+                  bool may_be_refuted = false);
+
 /// What a grown tree says of a trace, its minimal models certified if there is time for it.
 /// @throws std::logic_error if the solver refutes them
 MapReport report_of(const MapTree& tree, const MapCommand& command, const AxiomSet& axioms,

@@ -14,7 +14,7 @@
 #include "cli/map_text.hpp"
 #include "cli/progress.hpp"
 #include "core/error.hpp"
-#include "engine/certify.hpp"
+#include "engine/explained_visits.hpp"
 #include "engine/minimal_search.hpp"
 
 namespace asterism {
@@ -27,16 +27,21 @@ constexpr std::size_t most_maps_so_far = 100;
 /// The first of the maps found, as maps.
 std::vector<TopologicalMap> first_maps(const MinimalSearch& search, std::size_t most) {
   std::vector<TopologicalMap> maps;
-  search.for_each([&](auto model) { maps.push_back(make_map(search.trace(), model)); }, most);
+  search.for_each_while(
+      [&](auto model) {
+        maps.push_back(make_map(search.trace(), model));
+        return true;
+      },
+      most);
   return maps;
 }
 
 /// What a search takes before it finds anything: a bit for every two arms of the trace, for each
-/// thread, for the folding they begin with, and while it looks around.
+/// worker, two a thread, for the folding they begin with, and while it looks around.
 std::uint64_t bytes_at_begin(const MinimalSearch& search) {
   std::uint64_t arms = 0;
   for (const Visit& visit : search.trace().visits) arms += visit.star.size();
-  return (search.options().jobs + 2) * arms * arms / 8;
+  return (2 * search.options().jobs + 2) * arms * arms / 8;
 }
 
 /// Searches until all is known or something stops it.
@@ -57,20 +62,6 @@ std::optional<std::string> search_on(MinimalSearch& search, const MapCommand& co
   const auto outcome = checkpoint ? checkpoint->run(search, go_on) : search.run(go_on);
   if (outcome == MinimalSearch::Outcome::complete) return std::nullopt;
   return progress.stopped_by();
-}
-
-/// Has the solver certify the models found, if they fit; what it refutes is a fault.
-bool is_certified(const MinimalSearch& search, const MapCommand& command, const AxiomSet& axioms,
-                  Progress& progress) {
-  const std::size_t model_bytes = sizeof(std::vector<Arrival>) + command.visits * sizeof(Arrival);
-  if (!progress.has_room(search.bounds().count * model_bytes)) return false;
-  progress.grown("certifying the minimal models");
-  const double seconds = std::min(command.options.certify_s, progress.seconds_left().value_or(1e9));
-  const Certificate certificate = certify(search.trace(), axioms, command.options.planar,
-                                          search.models(), seconds, command.options.assumptions);
-  if (certificate == Certificate::refuted)
-    throw std::logic_error("the solver refutes the minimal models of the search");
-  return certificate == Certificate::shown;
 }
 
 }  // namespace
@@ -101,14 +92,25 @@ int map_minimal(const MapCommand& command, const AxiomSet& axioms, const Trace& 
     report.bounds = known;
   } else if (known.best) {
     report.minimal = {known.best->paths, known.best->places, known.best->count, false};
-    if (command.options.certify_s > 0)
-      report.minimal->certified = is_certified(search, command, axioms, progress);
+    // What the solver is asked holds a copy of each.
+    const std::size_t model_bytes = sizeof(std::vector<Arrival>) + command.visits * sizeof(Arrival);
+    if (command.options.certify_s > 0 && progress.has_room(known.best->count * model_bytes))
+      report.minimal->certified = is_certified(trace, search.models(), command, axioms, progress);
+  } else {
+    report.consistent = 0;
+    report.explained_visits = explained_visits(
+        trace, search.options(), [&](const auto& now) { return progress.searched(now); });
   }
   progress.grown("writing the maps found");
 
   const std::size_t most = report.complete ? SIZE_MAX : most_maps_so_far;
   const MapSource maps = [&](const auto& write) {
-    search.for_each([&](auto model) { write(make_map(search.trace(), model)); }, most);
+    search.for_each_while(
+        [&](auto model) {
+          write(make_map(search.trace(), model));
+          return true;
+        },
+        most);
   };
   report.maps = first_maps(search, command.svg_folder ? most_drawings : most_maps_in_text);
   write_report(command, report, maps);

@@ -19,10 +19,7 @@ MapList minimal_maps(const MapTree& tree) {
 
 MapList minimal_maps(const MinimalSearch& search) {
   return {search.trace(), search.options().axioms, search.options().planar, search.bounds().count,
-          [&search](const auto& f) {
-            bool goes_on = true;
-            search.for_each([&](std::span<const Arrival> map) { goes_on = goes_on && f(map); });
-          }};
+          [&search](const auto& f) { search.for_each_while(f); }};
 }
 
 }  // namespace asterism

@@ -26,7 +26,8 @@ using Model = SearchState::Model;
 constexpr std::uint64_t random_walks = 20;
 constexpr std::uint64_t random_walk_branchings = 400;
 
-/// By (visits, entered): places are numbered by first visit, which an arm tells.    [DESIGN §9]
+/// The order of reports (minimal_models.hpp): places are numbered by first visit, which an arm
+/// tells.
 bool is_before(const Model& a, const Model& b, const ArmTable& table) {
   const auto& [one, other] =
       std::mismatch(a.begin(), a.end(), b.begin(),
@@ -327,28 +328,26 @@ MinimalSearch::Bounds MinimalSearch::bounds() const { return searching_->bounds(
 
 bool MinimalSearch::is_complete() const { return searching_->is_complete; }
 
-void MinimalSearch::for_each(const std::function<void(std::span<const Arrival>)>& f,
-                             std::size_t most) const {
+void MinimalSearch::for_each_while(const std::function<bool(std::span<const Arrival>)>& f,
+                                   std::size_t most) const {
   const ArmTable& table = searching_->table;
   const std::span<const Model> models = searching_->best_models();
   std::vector<std::uint32_t> order(models.size());
   std::iota(order.begin(), order.end(), 0U);
-  const auto before = [&](std::uint32_t a, std::uint32_t b) {
-    return is_before(models[a], models[b], table);
-  };
-  if (most < order.size()) {
-    std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(most), before);
-    order.resize(most);
-  } else {
-    std::ranges::sort(order, before);
-  }
-  for (const std::uint32_t i : order) f(table.arrivals(models[i]));
+  const auto first = std::span(order).first(std::min(most, order.size()));
+  if (!is_complete())
+    std::partial_sort(order.begin(), order.begin() + std::ssize(first), order.end(),
+                      [&](auto a, auto b) { return is_before(models[a], models[b], table); });
+  for (const std::uint32_t i : first)
+    if (!f(table.arrivals(models[i]))) return;
 }
 
 std::vector<std::vector<Arrival>> MinimalSearch::models() const {
   std::vector<std::vector<Arrival>> models;
-  for_each(
-      [&](std::span<const Arrival> model) { models.emplace_back(model.begin(), model.end()); });
+  for_each_while([&](std::span<const Arrival> model) {
+    models.emplace_back(model.begin(), model.end());
+    return true;
+  });
   return models;
 }
 

@@ -70,9 +70,10 @@ class MinimalSearch {
   /// Data associations of the best maps found, in the order of reports: the minimal models, if the
   /// search is complete.
   std::vector<std::vector<Arrival>> models() const;
-  /// Calls f for each of these, or for the first so many; for there may be millions.
-  void for_each(const std::function<void(std::span<const Arrival>)>& f,
-                std::size_t most = SIZE_MAX) const;
+  /// Calls f for each of these, or for the first so many, until it returns false; for there may be
+  /// millions.
+  void for_each_while(const std::function<bool(std::span<const Arrival>)>& f,
+                      std::size_t most = SIZE_MAX) const;
   /// Bytes held: for the maps found, and for each thread what it knows of the trace.
   std::size_t memory_bytes() const;
 
