@@ -17,8 +17,10 @@ std::variant<MapTree, MinimalSearch> none_yet(const MapCommand& command, const A
   const MapOptions& options = command.options;
   if (only_minimal && options.check == "native" && !options.max_hypotheses &&
       trace.visits.size() <= MinimalSearch::max_visits)
-    return MinimalSearch(
-        {.planar = options.planar, .axioms = axioms, .assumptions = options.assumptions});
+    return MinimalSearch({.planar = options.planar,
+                          .axioms = axioms,
+                          .assumptions = options.assumptions,
+                          .jobs = command.jobs});
   MapTree::Options of_tree = tree_options(command, axioms);
   of_tree.go_on = std::ref(progress);
   return MapTree(std::move(of_tree));

@@ -35,6 +35,7 @@ class ByPreference {
   ByPreference(const ExplainCommand& command, const Trace& trace, const AxiomSet& axioms,
                ExplainReport& report, Deadline deadline)
       : options_(command.map.options),
+        jobs_(command.map.jobs),
         trace_(trace),
         axioms_(axioms),
         report_(report),
@@ -93,8 +94,10 @@ class ByPreference {
   MinimalSearch searched(const std::optional<Assumption>& assumption) const {
     std::vector<Assumption> assumptions = options_.assumptions;
     if (assumption) assumptions.push_back(*assumption);
-    MinimalSearch search(
-        {.planar = options_.planar, .axioms = axioms_, .assumptions = std::move(assumptions)});
+    MinimalSearch search({.planar = options_.planar,
+                          .axioms = axioms_,
+                          .assumptions = std::move(assumptions),
+                          .jobs = jobs_});
     search.extend(trace_.visits);
     search.run([&](const MinimalSearch&) { return !is_over(deadline_); });
     return search;
@@ -112,6 +115,7 @@ class ByPreference {
   }
 
   const MapOptions& options_;
+  unsigned jobs_;
   const Trace& trace_;
   const AxiomSet& axioms_;
   ExplainReport& report_;

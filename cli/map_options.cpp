@@ -37,6 +37,13 @@ void add_limits(CLI::App& app, MapOptions& options) {
       ->transform(duration);
 }
 
+CLI::Option& add_jobs(CLI::App& app, unsigned& jobs) {
+  return *app.add_option("--jobs", jobs, "Threads of the search for minimal models")
+              ->type_name("N")
+              ->check(CLI::Range(1, 1024))
+              ->capture_default_str();
+}
+
 void add_axiom_options(CLI::App& app, AxiomOptions& options) {
   app.add_option("--axioms", options.folder,
                  "Folder of axioms (*.smt2) instead of the shipped ones")
@@ -59,11 +66,7 @@ void add_minimal(CLI::App& map, MapCommand& command) {
                                        "says so");
   for (const char* option : {"--all", "--max-hypotheses", "--why-not"})
     minimal.excludes(map.get_option(option));
-  map.add_option("--jobs", command.jobs, "Threads of the search")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str()
-      ->needs(&minimal);
+  add_jobs(map, command.jobs).needs(&minimal);
   CLI::Option& checkpoint =
       *map.add_option("--checkpoint", command.checkpoint,
                       "Keep in a file where the search stands; removed once it is through")

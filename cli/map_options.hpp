@@ -8,6 +8,7 @@
 
 namespace CLI {
 class App;
+class Option;
 }  // namespace CLI
 
 namespace asterism {
@@ -19,6 +20,8 @@ void add_maps_of_trace(CLI::App& app, MapCommand& command);
 void add_check(CLI::App& app, MapOptions& options);
 /// What is known beside the trace.
 void add_assumptions(CLI::App& app, std::vector<std::string>& texts);
+/// Threads of the search for minimal models.
+CLI::Option& add_jobs(CLI::App& app, unsigned& jobs);
 /// When to stop.
 void add_limits(CLI::App& app, MapOptions& options);
 

@@ -8,11 +8,16 @@
 namespace asterism {
 namespace {
 
-void add_over(CLI::App& app, bool& only_minimal, const std::string& what) {
+void add_over(CLI::App& app, bool& only_minimal, unsigned& jobs, const std::string& what) {
   app.add_option_function<std::string>(
          "--over", [&](const std::string& which) { only_minimal = which == "minimal"; },
          what + " [all]")
       ->check(CLI::IsMember({"all", "minimal"}));
+  add_jobs(app, jobs);
+  app.parse_complete_callback([&] {
+    if (app.get_option("--jobs")->count() > 0 && !only_minimal)
+      throw CLI::RequiresError("--jobs", "--over minimal");
+  });
 }
 
 }  // namespace
@@ -34,7 +39,7 @@ trace does not have, 70 internal fault or a result that cannot be written.)");
   add_check(query, command.map.options);
   add_assumptions(query, command.map.assume);
   query.add_option("queries", command.queries, "Queries, each one argument")->required();
-  add_over(query, command.only_minimal,
+  add_over(query, command.only_minimal, command.map.jobs,
            "Ask all maps, or the minimal models alone: these are searched for, however many maps "
            "there are, unless --max-hypotheses or --check has them all listed");
   query
@@ -71,7 +76,8 @@ cannot be written.)");
   add_maps_of_trace(explain, command.map);
   add_assumptions(explain, command.map.assume);
   explain.add_option("query", command.query, "The query, one argument")->required();
-  add_over(explain, command.only_minimal, "Ask all maps, or the minimal models alone");
+  add_over(explain, command.only_minimal, command.map.jobs,
+           "Ask all maps, or the minimal models alone");
   explain
       .add_option("--json", command.map.json, "Write the explanation as JSON; -: alone on stdout")
       ->type_name("FILE");
@@ -127,7 +133,7 @@ Exit code: 0 there is a map, 1 none explains the trace, 2 stopped by a limit or 
 65 bad input, 70 internal fault or a result that cannot be written.)");
   add_maps_of_trace(next, command.map);
   add_check(next, command.map.options);
-  add_over(next, command.only_minimal,
+  add_over(next, command.only_minimal, command.map.jobs,
            "Count all maps at the exits, or the minimal models alone: these are searched for, "
            "however many maps there are, unless --max-hypotheses or --check has them all listed");
   next.add_option("--max-travels", command.bounds.travels, "Look for exits so many travels away")

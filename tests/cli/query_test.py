@@ -75,6 +75,11 @@ class Answers(Folder):
         self.assertEqual((code, found["complete"], found["queries"][0]["verdict"]),
                          (1, True, "impossible"))
         self.assertEqual(found["queries"][0]["of"], 15)
+        for command, asked in (("query", ["same(3, 9)"]), ("explain", ["same(3, 9)"]), ("next", [])):
+            on_jobs = [run(command, file, *asked, "--over", "minimal", "--jobs", jobs).stdout
+                       for jobs in (1, 2)]
+            self.assertTrue(on_jobs[0])
+            self.assertEqual(on_jobs[0], on_jobs[1])
         code, found = answers(*arguments, "--max-hypotheses", "1000")
         self.assertEqual((code, found["complete"]), (2, False))
         code, found = answers(*arguments, "--time-limit", "0")
@@ -286,6 +291,8 @@ class BadInput(Folder):
         self.refused(65, self.folder / "missing.trace.json", "same(0, 1)")
         self.refused(65, ACES, "same(0, 1)", "--axiom", "no_such")
         for arguments in ([], [ACES], [ACES, "same(0, 1)", "--over", "some"],
+                          [ACES, "same(0, 1)", "--jobs", 2],
+                          [ACES, "same(0, 1)", "--over", "all", "--jobs", 2],
                           [ACES, "same(0, 1)", "--max-hypotheses", "-1"],
                           [ACES, "same(0, 1)", "--time-limit", "x"], [ACES, "same(0, 1)", "--all"]):
             with self.subTest(arguments=arguments):
