@@ -1,9 +1,11 @@
 #include "axioms/axiom_reader.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "axioms/vocabulary.hpp"
 #include "core/error.hpp"
@@ -75,14 +77,16 @@ AxiomSet AxiomReader::read(const std::map<std::string, std::string>& files,
       }
     }
   }
-  if (set_.preference_.empty()) set_.preference_ = {"path", "place"};
-  require_vocabulary(set_, where);
-  return std::move(set_);
+  if (contents_.preference.empty()) contents_.preference = {"path", "place"};
+  AxiomSet set(std::make_shared<const AxiomSet::Contents>(std::move(contents_)));
+  require_vocabulary(set, where);
+  return set;
 }
 
 void AxiomReader::add(Axiom axiom, const SExpr& form) {
-  if (set_.contains(axiom.name)) fail(form, "one axiom named " + axiom.name);
-  set_.axioms_.push_back(std::move(axiom));
+  if (std::ranges::find(contents_.axioms, axiom.name, &Axiom::name) != contents_.axioms.end())
+    fail(form, "one axiom named " + axiom.name);
+  contents_.axioms.push_back(std::move(axiom));
 }
 
 void AxiomReader::declare(const SExpr& form) {
@@ -90,9 +94,9 @@ void AxiomReader::declare(const SExpr& form) {
   if (form.calls("declare-sort")) {
     if (parts.size() != 3 || !parts[2].is("0")) fail(form, "(declare-sort NAME 0)");
     require_name(parts[1]);
-    if (std::count(set_.sorts_.begin(), set_.sorts_.end(), parts[1].symbol) != 0)
+    if (std::count(contents_.sorts.begin(), contents_.sorts.end(), parts[1].symbol) != 0)
       fail(form, "each sort once");
-    set_.sorts_.push_back(parts[1].symbol);
+    contents_.sorts.push_back(parts[1].symbol);
   } else if (form.calls("declare-const")) {
     if (parts.size() != 3) fail(form, "(declare-const NAME SORT)");
     require_sort(parts[2]);
@@ -119,11 +123,12 @@ void AxiomReader::declare_function(const SExpr& name, const SExpr& arguments, co
     fail(name, "a relation, or a function of at most one argument");
   if (function.arguments.size() > max_arguments)
     fail(name, "a relation of at most " + std::to_string(max_arguments) + " arguments");
-  if (!set_.functions_.emplace(name.symbol, function).second) fail(name, "a name declared once");
+  if (!contents_.functions.emplace(name.symbol, function).second)
+    fail(name, "a name declared once");
 }
 
 void AxiomReader::require_sort(const SExpr& sort) const {
-  if (std::count(set_.sorts_.begin(), set_.sorts_.end(), sort.symbol) == 0)
+  if (std::count(contents_.sorts.begin(), contents_.sorts.end(), sort.symbol) == 0)
     fail(sort, "a declared sort");
 }
 
@@ -135,12 +140,12 @@ void AxiomReader::set_preference(const SExpr& form) {
   const auto& parts = form.list;
   if (parts.size() != 3 || !parts[1].is(":minimise") || !parts[2].is_list())
     fail(form, "(set-info :minimise (path place))");
-  if (!set_.preference_.empty()) fail(form, "one preference");
+  if (!contents_.preference.empty()) fail(form, "one preference");
   for (const SExpr& extent : parts[2].list) {
     if (!extents.contains(extent.symbol)) fail(extent, "path, place or segment");
-    if (std::count(set_.preference_.begin(), set_.preference_.end(), extent.symbol) != 0)
+    if (std::count(contents_.preference.begin(), contents_.preference.end(), extent.symbol) != 0)
       fail(extent, "each extent once");
-    set_.preference_.push_back(extent.symbol);
+    contents_.preference.push_back(extent.symbol);
   }
 }
 
@@ -169,7 +174,7 @@ Axiom AxiomReader::assertion(const SExpr& form) const {
     require_name(variable.list[0]);
     require_sort(variable.list[1]);
     const std::string& name = variable.list[0].symbol;
-    if (set_.functions_.contains(name) ||
+    if (contents_.functions.contains(name) ||
         std::any_of(axiom.variables.begin(), axiom.variables.end(),
                     [&](const auto& other) { return other.name == name; }))
       fail(variable, "a name not in use");
@@ -240,8 +245,8 @@ Formula AxiomReader::formula(const SExpr& form, const Axiom& axiom) const {
     for (const SExpr& argument : arguments) result.parts.push_back(formula(argument, axiom));
     return result;
   }
-  const auto relation = set_.functions_.find(head);
-  if (head != "=" && (relation == set_.functions_.end() || relation->second.result != "Bool"))
+  const auto relation = contents_.functions.find(head);
+  if (head != "=" && (relation == contents_.functions.end() || relation->second.result != "Bool"))
     fail(form, "and, or, not, = or a declared relation");
   for (const SExpr& argument : arguments) result.terms.push_back(term(argument, axiom));
   if (head == "=") {
@@ -272,9 +277,9 @@ Term AxiomReader::term(const SExpr& form, const Axiom& axiom) const {
       }
   }
   const SExpr& head = form.is_list() ? form.list.front() : form;
-  const auto function = set_.functions_.find(head.symbol);
+  const auto function = contents_.functions.find(head.symbol);
   const std::size_t arguments = form.is_list() ? form.list.size() - 1 : 0;
-  if (function == set_.functions_.end() || function->second.result == "Bool")
+  if (function == contents_.functions.end() || function->second.result == "Bool")
     fail(form, "a variable, a declared constant or function");
   if (function->second.arguments.size() != arguments)
     fail(form, arguments_text(function->second.arguments.size()));
@@ -290,7 +295,7 @@ Term AxiomReader::term(const SExpr& form, const Axiom& axiom) const {
 
 std::string AxiomReader::sort_of(const Term& term, const Axiom& axiom) const {
   return term.kind == Term::Kind::variable ? axiom.variables[term.variable].sort
-                                           : set_.functions_.at(term.symbol).result;
+                                           : contents_.functions.at(term.symbol).result;
 }
 
 }  // namespace asterism

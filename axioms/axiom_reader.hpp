@@ -40,7 +40,7 @@ class AxiomReader {
   Term term(const SExpr& form, const Axiom& axiom) const;
   std::string sort_of(const Term& term, const Axiom& axiom) const;
 
-  AxiomSet set_;
+  AxiomSet::Contents contents_;
   std::string file_;  ///< being read
 };
 

@@ -99,12 +99,11 @@ std::vector<std::string> AxiomSet::optional_names() {
 }
 
 bool AxiomSet::contains(std::string_view axiom) const {
-  return std::any_of(axioms_.begin(), axioms_.end(),
-                     [&](const Axiom& other) { return other.name == axiom; });
+  return std::ranges::find(axioms(), axiom, &Axiom::name) != axioms().end();
 }
 
 bool AxiomSet::has_unique_names(const std::string& sort) const {
-  return std::none_of(functions_.begin(), functions_.end(), [&](const auto& entry) {
+  return std::ranges::none_of(functions(), [&](const auto& entry) {
     return entry.second.result == sort && !entry.second.arguments.empty();
   });
 }
@@ -114,9 +113,10 @@ bool AxiomSet::is_shipped() const {
   for (const std::string& name : optional_names())
     if (contains(name)) optional.push_back(name);
   const AxiomSet ours = shipped(optional);
+  if (contents_ == ours.contents_) return true;
   const std::vector<Axiom> here = assertions(*this);
   const std::vector<Axiom> there = assertions(ours);
-  if (functions_ != ours.functions_ || here.size() != there.size()) return false;
+  if (functions() != ours.functions() || here.size() != there.size()) return false;
   return std::all_of(here.begin(), here.end(), [&](const Axiom& axiom) {
     return std::any_of(there.begin(), there.end(),
                        [&](const Axiom& other) { return same_statement(axiom, other); });

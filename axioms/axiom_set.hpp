@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace asterism {
@@ -60,8 +61,13 @@ struct Axiom {
 bool same_statement(const Axiom& a, const Axiom& b);
 
 /// Axioms and preference, as read from files.                               [DESIGN §5, §6]
+///
+/// Copies share what was read, which nothing changes: every tree and every search holds one.
 class AxiomSet {
  public:
+  AxiomSet(const AxiomSet&) = default;  // no moves, which would leave nothing behind
+  AxiomSet& operator=(const AxiomSet&) = default;
+
   struct Function {
     std::vector<std::string> arguments;  ///< sorts
     std::string result;                  ///< sort; "Bool" for a relation
@@ -87,11 +93,11 @@ class AxiomSet {
   static const std::map<std::string, std::string>& built_in_files();
 
   /// In the order of files and lines; those said by the signature among them.
-  const std::vector<Axiom>& axioms() const { return axioms_; }
-  const std::vector<std::string>& sorts() const { return sorts_; }
-  const std::map<std::string, Function>& functions() const { return functions_; }
+  const std::vector<Axiom>& axioms() const { return contents_->axioms; }
+  const std::vector<std::string>& sorts() const { return contents_->sorts; }
+  const std::map<std::string, Function>& functions() const { return contents_->functions; }
   /// Extents to minimise, the first before the second: "path", "place", "segment".
-  const std::vector<std::string>& preference() const { return preference_; }
+  const std::vector<std::string>& preference() const { return contents_->preference; }
 
   bool contains(std::string_view axiom) const;
   /// Whether dstates, actions, views, which are named apart, are what this sort holds: no function
@@ -103,10 +109,15 @@ class AxiomSet {
   bool is_shipped() const;
 
  private:
-  std::vector<Axiom> axioms_;
-  std::vector<std::string> sorts_;
-  std::map<std::string, Function> functions_;
-  std::vector<std::string> preference_;
+  struct Contents {
+    std::vector<Axiom> axioms;
+    std::vector<std::string> sorts;
+    std::map<std::string, Function> functions;
+    std::vector<std::string> preference;
+  };
+  explicit AxiomSet(std::shared_ptr<const Contents> contents) : contents_(std::move(contents)) {}
+
+  std::shared_ptr<const Contents> contents_;
 
   friend class AxiomReader;
 };
