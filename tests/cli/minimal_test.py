@@ -238,7 +238,7 @@ class Limits(Search):
 class Checkpoints(Search):
     def test_a_run_that_is_killed_goes_on_to_the_same_bytes(self):
         """Each round is killed until its own time is enough, from another moment each time."""
-        trace = self.grid(6, 100, 0.1, 3)
+        trace = self.grid(6, 100, 0, 5) if FULL else self.grid(6, 100, 0.1, 3)
         checkpoint = self.folder / "grid.checkpoint.json"
         result = self.folder / "grid.maps.json"
         begin = time.monotonic()
