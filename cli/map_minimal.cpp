@@ -24,16 +24,14 @@ namespace {
 /// millions, and neither time nor memory left.
 constexpr std::size_t most_maps_so_far = 100;
 
-/// The first of the maps found, as maps.
-std::vector<TopologicalMap> first_maps(const MinimalSearch& search, std::size_t most) {
-  std::vector<TopologicalMap> maps;
+/// Calls write(map) for each of the maps found, or for the first so many.
+void for_each_map(const MinimalSearch& search, std::size_t most, const auto& write) {
   search.for_each_while(
       [&](auto model) {
-        maps.push_back(make_map(search.trace(), model));
+        write(make_map(search.trace(), model));
         return true;
       },
       most);
-  return maps;
 }
 
 /// What a search takes before it finds anything: a bit for every two arms of the trace, for each
@@ -104,15 +102,9 @@ int map_minimal(const MapCommand& command, const AxiomSet& axioms, const Trace& 
   progress.grown("writing the maps found");
 
   const std::size_t most = report.complete ? SIZE_MAX : most_maps_so_far;
-  const MapSource maps = [&](const auto& write) {
-    search.for_each_while(
-        [&](auto model) {
-          write(make_map(search.trace(), model));
-          return true;
-        },
-        most);
-  };
-  report.maps = first_maps(search, command.svg_folder ? most_drawings : most_maps_in_text);
+  const MapSource maps = [&](const auto& write) { for_each_map(search, most, write); };
+  for_each_map(search, command.svg_folder ? most_drawings : most_maps_in_text,
+               [&](TopologicalMap map) { report.maps.push_back(std::move(map)); });
   write_report(command, report, maps);
   if (command.svg_folder) {
     write_models(command, report, report.maps, known.best ? known.best->count : 0);
