@@ -2,300 +2,258 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
-#include <set>
-#include <sstream>
+#include <span>
 #include <utility>
 
+#include "axioms/extent_reader.hpp"
+#include "axioms/least_closure.hpp"
 #include "axioms/vocabulary.hpp"
 #include "core/error.hpp"
 
 namespace asterism {
 namespace {
 
-/// "name   [source] [source]" in the first line of a comment.
-struct Heading {
-  std::string name;
-  std::string source;
-};
-
-std::optional<Heading> heading(const std::string& comment) {
-  const std::string line = comment.substr(0, comment.find('\n'));
-  const std::size_t bracket = line.find('[');
-  if (bracket == std::string::npos) return std::nullopt;
-  std::istringstream words(line.substr(0, bracket));
-  std::string name, more;
-  if (!(words >> name) || (words >> more)) return std::nullopt;
-  return Heading{name, line.substr(bracket)};
-}
-
 /// Keeps labels apart from the names of relations; not part of an axiom's name.
 constexpr std::string_view label_prefix = "axiom.";
 
-const std::set<std::string> extents{"path", "place", "segment"};
 constexpr std::size_t max_arguments = 8;
 
-std::string arguments_text(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " argument" : " arguments");
+bool has(std::span<const ExtentDeclaration> extents, std::string_view name) {
+  return std::ranges::find(extents, name, &ExtentDeclaration::name) != extents.end();
+}
+
+bool tells(const SExpr& info, std::string_view keyword) {
+  return info.calls("set-info") && info.list.size() > 1 && info.list[1].is(keyword);
+}
+
+/// @throws InputError if an extent is to be minimised that cannot be counted
+void require_countable(const AxiomSet& axioms) {
+  if (!axioms.minimises_own() || LeastClosure::exists(axioms)) return;
+  for (const ExtentDeclaration& extent : axioms.minimised())
+    if (!extent.known)
+      throw InputError(extent.file + ":" + std::to_string(extent.line),
+                       "extent " + extent.name + " minimised, where an axiom leaves a choice",
+                       "path, place or segment as shipped, since no other can be counted there");
+}
+
+/// Whether two declarations count the same, whatever their comments and the names of variables.
+bool same_extent(const ExtentDeclaration& a, const ExtentDeclaration& b) {
+  return a.name == b.name && same_sorts(a.variables, b.variables) && a.premise == b.premise &&
+         a.terms == b.terms;
 }
 
 }  // namespace
 
-void AxiomReader::fail(const SExpr& at, const std::string& expected) const {
-  std::string found = at.text();
-  if (found.size() > 60) found = found.substr(0, 57) + "...";
-  throw InputError(file_ + ":" + std::to_string(at.line), found, expected);
-}
-
 AxiomSet AxiomReader::read(const std::map<std::string, std::string>& files,
                            const std::string& where) {
+  const std::vector<ExtentDeclaration>& shipped = shipped_extents();
+  read_forms(files, where);
+  settle(shipped);
+  AxiomSet set(std::make_shared<const AxiomSet::Contents>(std::move(contents_)));
+  require_countable(set);
+  return set;
+}
+
+/// Read from the built-in files, by Extent.
+const std::vector<ExtentDeclaration>& AxiomReader::shipped_extents() {
+  static const std::vector<ExtentDeclaration> extents = [] {
+    std::map<std::string, std::string> files;
+    for (const auto& [name, text] : AxiomSet::built_in_files())
+      if (!name.starts_with("optional/")) files[name] = text;
+    AxiomReader reader;
+    reader.read_forms(files, "the axioms built in");
+    std::vector<ExtentDeclaration> result;
+    for (const Extent extent : all_extents)
+      result.push_back(
+          *std::ranges::find(reader.contents_.extents, name_of(extent), &ExtentDeclaration::name));
+    return result;
+  }();
+  return extents;
+}
+
+void AxiomReader::read_forms(const std::map<std::string, std::string>& files,
+                             const std::string& where) {
   std::vector<std::pair<std::string, std::vector<SExpr>>> parsed;
   for (const auto& [file, text] : files) parsed.emplace_back(file, parse_sexprs(text, file));
 
-  // Sorts before functions before assertions, since files may use what a later one declares.
-  for (const std::string stage : {"declare-sort", "declare", "assert"}) {
+  // Sorts before functions before what is said in them, since files may use what a later one
+  // declares; likewise extents before which of them are minimised.
+  for (const std::string stage : {"declare-sort", "declare", "assert", "extent", "minimise"}) {
+    if (stage == "extent") require_vocabulary(contents_.functions, where);
     for (const auto& [file, forms] : parsed) {
-      file_ = file;
+      words_.set_file(file);
       for (const SExpr& form : forms) {
         const bool sort = form.calls("declare-sort");
         const bool function = form.calls("declare-fun") || form.calls("declare-const");
         if (!sort && !function && !form.calls("assert") && !form.calls("set-info"))
-          fail(form, "declare-sort, declare-const, declare-fun, assert or set-info");
+          words_.fail(form, "declare-sort, declare-const, declare-fun, assert or set-info");
         if ((stage == "declare-sort" && sort) || (stage == "declare" && function)) declare(form);
-        if (stage != "assert") continue;
-        if (form.calls("set-info")) set_preference(form);
-        if (form.calls("assert")) {
-          add(assertion(form), form);
-        } else if (const auto title = heading(form.comment); title && function) {
-          Axiom axiom;
-          axiom.name = title->name;
-          axiom.by_signature = true;
-          axiom.function = form.list[1].symbol;
-          document(axiom, form);
-          add(std::move(axiom), form);
-        }
+        if (stage == "assert") say(form);
+        if (stage == "extent" && form.calls("set-info")) add_extent(form);
+        if (stage == "minimise" && tells(form, ":minimise")) set_preference(form);
       }
     }
   }
-  if (contents_.preference.empty()) contents_.preference = {"path", "place"};
-  AxiomSet set(std::make_shared<const AxiomSet::Contents>(std::move(contents_)));
-  require_vocabulary(set, where);
-  return set;
+}
+
+/// An axiom, asserted or said by the signature.
+void AxiomReader::say(const SExpr& form) {
+  if (form.calls("assert")) return add(assertion(form), form);
+  const auto name = documented_name(form.comment);
+  if (!name || form.calls("declare-sort") || form.calls("set-info")) return;
+  Axiom axiom;
+  axiom.name = *name;
+  axiom.by_signature = true;
+  axiom.function = form.list[1].symbol;
+  document(axiom, form);
+  add(std::move(axiom), form);
 }
 
 void AxiomReader::add(Axiom axiom, const SExpr& form) {
   if (std::ranges::find(contents_.axioms, axiom.name, &Axiom::name) != contents_.axioms.end())
-    fail(form, "one axiom named " + axiom.name);
+    words_.fail(form, "one axiom named " + axiom.name);
   contents_.axioms.push_back(std::move(axiom));
 }
 
 void AxiomReader::declare(const SExpr& form) {
   const auto& parts = form.list;
   if (form.calls("declare-sort")) {
-    if (parts.size() != 3 || !parts[2].is("0")) fail(form, "(declare-sort NAME 0)");
-    require_name(parts[1]);
+    if (parts.size() != 3 || !parts[2].is("0")) words_.fail(form, "(declare-sort NAME 0)");
+    words_.require_name(parts[1]);
     if (std::count(contents_.sorts.begin(), contents_.sorts.end(), parts[1].symbol) != 0)
-      fail(form, "each sort once");
+      words_.fail(form, "each sort once");
     contents_.sorts.push_back(parts[1].symbol);
   } else if (form.calls("declare-const")) {
-    if (parts.size() != 3) fail(form, "(declare-const NAME SORT)");
-    require_sort(parts[2]);
+    if (parts.size() != 3) words_.fail(form, "(declare-const NAME SORT)");
+    words_.require_sort(parts[2]);
     declare_function(parts[1], SExpr{}, parts[2]);
   } else {
-    if (parts.size() != 4) fail(form, "(declare-fun NAME (SORT ...) SORT)");
-    if (!parts[2].is_list()) fail(parts[2], "a list of sorts");
+    if (parts.size() != 4) words_.fail(form, "(declare-fun NAME (SORT ...) SORT)");
+    if (!parts[2].is_list()) words_.fail(parts[2], "a list of sorts");
     declare_function(parts[1], parts[2], parts[3]);
   }
 }
 
 void AxiomReader::declare_function(const SExpr& name, const SExpr& arguments, const SExpr& result) {
-  require_name(name);
+  words_.require_name(name);
   if (is_name_of_fact(name.symbol))
-    fail(name, "a name not like those of dstates, views and actions");
+    words_.fail(name, "a name not like those of dstates, views and actions");
   AxiomSet::Function function;
   for (const SExpr& argument : arguments.list) {
-    require_sort(argument);
+    words_.require_sort(argument);
     function.arguments.push_back(argument.symbol);
   }
-  if (!result.is("Bool")) require_sort(result);
+  if (!result.is("Bool")) words_.require_sort(result);
   function.result = result.symbol;
   if (function.result != "Bool" && function.arguments.size() > 1)
-    fail(name, "a relation, or a function of at most one argument");
+    words_.fail(name, "a relation, or a function of at most one argument");
   if (function.arguments.size() > max_arguments)
-    fail(name, "a relation of at most " + std::to_string(max_arguments) + " arguments");
+    words_.fail(name, "a relation of at most " + std::to_string(max_arguments) + " arguments");
   if (!contents_.functions.emplace(name.symbol, function).second)
-    fail(name, "a name declared once");
-}
-
-void AxiomReader::require_sort(const SExpr& sort) const {
-  if (std::count(contents_.sorts.begin(), contents_.sorts.end(), sort.symbol) == 0)
-    fail(sort, "a declared sort");
-}
-
-void AxiomReader::require_name(const SExpr& name) const {
-  if (const auto fault = fault_of_name(name.symbol)) fail(name, *fault);
-}
-
-void AxiomReader::set_preference(const SExpr& form) {
-  const auto& parts = form.list;
-  if (parts.size() != 3 || !parts[1].is(":minimise") || !parts[2].is_list())
-    fail(form, "(set-info :minimise (path place))");
-  if (!contents_.preference.empty()) fail(form, "one preference");
-  for (const SExpr& extent : parts[2].list) {
-    if (!extents.contains(extent.symbol)) fail(extent, "path, place or segment");
-    if (std::count(contents_.preference.begin(), contents_.preference.end(), extent.symbol) != 0)
-      fail(extent, "each extent once");
-    contents_.preference.push_back(extent.symbol);
-  }
+    words_.fail(name, "a name declared once");
 }
 
 Axiom AxiomReader::assertion(const SExpr& form) const {
   const std::string expected =
       "(assert (! (forall ((x SORT) ...) (=> PREMISE CONCLUSION)) :named NAME))";
   const auto& outer = form.list;
-  if (outer.size() != 2 || !outer[1].calls("!") || outer[1].list.size() != 4) fail(form, expected);
+  if (outer.size() != 2 || !outer[1].calls("!") || outer[1].list.size() != 4)
+    words_.fail(form, expected);
   const auto& named = outer[1].list;
-  if (!named[2].is(":named")) fail(named[2], ":named NAME");
+  if (!named[2].is(":named")) words_.fail(named[2], ":named NAME");
   SExpr label = named[3];
   if (label.symbol.starts_with(label_prefix)) label.symbol.erase(0, label_prefix.size());
-  require_name(label);
+  words_.require_name(label);
   const SExpr& quantified = named[1];
   if (!quantified.calls("forall") || quantified.list.size() != 3 || !quantified.list[1].is_list())
-    fail(quantified, "(forall ((x SORT) ...) (=> PREMISE CONCLUSION))");
+    words_.fail(quantified, "(forall ((x SORT) ...) (=> PREMISE CONCLUSION))");
   const SExpr& implication = quantified.list[2];
   if (!implication.calls("=>") || implication.list.size() != 3)
-    fail(implication, "(=> PREMISE CONCLUSION)");
+    words_.fail(implication, "(=> PREMISE CONCLUSION)");
 
   Axiom axiom;
   axiom.name = label.symbol;
   document(axiom, form);
-  for (const SExpr& variable : quantified.list[1].list) {
-    if (variable.list.size() != 2) fail(variable, "(NAME SORT)");
-    require_name(variable.list[0]);
-    require_sort(variable.list[1]);
-    const std::string& name = variable.list[0].symbol;
-    if (contents_.functions.contains(name) ||
-        std::any_of(axiom.variables.begin(), axiom.variables.end(),
-                    [&](const auto& other) { return other.name == name; }))
-      fail(variable, "a name not in use");
-    axiom.variables.push_back({name, variable.list[1].symbol});
-  }
-  const SExpr& premise = implication.list[1];
-  if (premise.calls("and")) {
-    for (std::size_t i = 1; i < premise.list.size(); ++i)
-      axiom.premise.push_back(formula(premise.list[i], axiom));
-  } else {
-    axiom.premise.push_back(formula(premise, axiom));
-  }
-  axiom.conclusion = formula(implication.list[2], axiom);
+  axiom.variables = words_.variables(quantified.list[1]);
+  axiom.premise = words_.premise(implication.list[1], axiom.variables);
+  axiom.conclusion = words_.formula(implication.list[2], axiom.variables);
   require_safe(axiom, implication);
   return axiom;
 }
 
 void AxiomReader::document(Axiom& axiom, const SExpr& form) const {
-  axiom.file = file_;
+  const Documentation said = words_.documentation(form, axiom.name);
+  axiom.file = words_.file();
   axiom.line = form.line;
-  const auto title = heading(form.comment);
-  if (!title) return;
-  if (title->name != axiom.name) fail(form, "the name of the comment above it, " + title->name);
-  axiom.source = title->source;
-  std::istringstream lines(form.comment);
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    const std::size_t indent = line.find_first_not_of(' ');
-    if (indent == std::string::npos) continue;
-    std::string& text = indent >= 3 ? axiom.formula : axiom.words;
-    text += (text.empty() ? "" : " ") + line.substr(indent);
+  axiom.source = said.source;
+  axiom.words = said.words;
+  axiom.formula = said.formula;
+}
+
+/// An extent, if the form declares one.
+void AxiomReader::add_extent(const SExpr& form) {
+  if (tells(form, ":minimise")) return;
+  if (!tells(form, ":extent"))
+    words_.fail(form, "(set-info :extent (NAME ...)) or (set-info :minimise (NAME ...))");
+  ExtentDeclaration extent = read_extent(form, words_);
+  if (has(contents_.extents, extent.name)) words_.fail(form, "one extent named " + extent.name);
+  contents_.extents.push_back(std::move(extent));
+}
+
+void AxiomReader::set_preference(const SExpr& form) {
+  const auto& parts = form.list;
+  if (parts.size() != 3 || !parts[2].is_list())
+    words_.fail(form, "(set-info :minimise (path place))");
+  if (!minimised_.empty()) words_.fail(form, "one preference");
+  for (const SExpr& name : parts[2].list) {
+    if (!has(contents_.extents, name.symbol) && !extent_named(name.symbol))
+      words_.fail(name, "path, place, segment or an extent declared");
+    if (std::ranges::count(minimised_, name.symbol) != 0) words_.fail(name, "each extent once");
+    minimised_.push_back(name.symbol);
   }
 }
 
-/// Only then are the instances that matter those whose premises are derived.       [DESIGN §8]
+/// Which extents there are, and which of them the program knows.
+void AxiomReader::settle(const std::vector<ExtentDeclaration>& shipped) {
+  std::vector<ExtentDeclaration>& extents = contents_.extents;
+  const auto opp = contents_.functions.find("opp");
+  const bool has_opp = opp != contents_.functions.end() &&
+                       opp->second == AxiomSet::Function{{"DirectedPath"}, "DirectedPath"};
+  for (ExtentDeclaration extent : shipped) {
+    extent.known = extent_named(extent.name);
+    if (!has_opp)  // each directed path is then one of its own
+      std::erase_if(extent.terms, [](const Term& term) { return term.symbol == "opp"; });
+    const auto declared = std::ranges::find(extents, extent.name, &ExtentDeclaration::name);
+    if (declared == extents.end())
+      extents.push_back(extent);
+    else if (same_extent(*declared, extent))
+      declared->known = extent.known;
+    contents_.shipped_extents.push_back(std::move(extent));
+  }
+
+  if (minimised_.empty()) minimised_ = {"path", "place"};
+  for (const std::string& name : minimised_)
+    contents_.minimised.push_back(*std::ranges::find(extents, name, &ExtentDeclaration::name));
+  if (!std::ranges::all_of(contents_.minimised, [](const auto& e) { return e.known.has_value(); }))
+    return;
+  contents_.preference.emplace();
+  for (const ExtentDeclaration& extent : contents_.minimised)
+    contents_.preference->push_back(*extent.known);
+}
+
+/// Only then are the instances that matter those whose premises are derived.       [theory §8]
 void AxiomReader::require_safe(const Axiom& axiom, const SExpr& form) const {
+  words_.require_literals(axiom.premise, form);
   std::vector<bool> bound(axiom.variables.size(), false);
   for (const Formula& part : axiom.premise) {
-    const Formula& atom = part.kind == Formula::Kind::negation ? part.parts.front() : part;
-    if (atom.kind != Formula::Kind::relation && atom.kind != Formula::Kind::equality)
-      fail(form, "a premise of atoms, equalities and their negations");
     if (part.kind != Formula::Kind::relation) continue;
     for (const Term& term : part.terms)
       if (term.kind == Term::Kind::variable) bound[term.variable] = true;
   }
   for (std::size_t i = 0; i < bound.size(); ++i)
     if (!bound[i])
-      fail(form, "variable " + axiom.variables[i].name + " in a positive atom of the premise");
-}
-
-Formula AxiomReader::formula(const SExpr& form, const Axiom& axiom) const {
-  Formula result;
-  if (form.is("true")) return result;
-  if (form.is("false")) {
-    result.kind = Formula::Kind::falsity;
-    return result;
-  }
-  if (!form.is_list() || form.list.front().is_list()) fail(form, "a formula");
-  const std::string& head = form.list.front().symbol;
-  const std::span<const SExpr> arguments = std::span(form.list).subspan(1);
-  const bool connective = head == "and" || head == "or" || head == "not";
-  if (connective) {
-    if (arguments.empty() || (head == "not" && arguments.size() != 1)) fail(form, "its arguments");
-    result.kind = head == "and"  ? Formula::Kind::conjunction
-                  : head == "or" ? Formula::Kind::disjunction
-                                 : Formula::Kind::negation;
-    for (const SExpr& argument : arguments) result.parts.push_back(formula(argument, axiom));
-    return result;
-  }
-  const auto relation = contents_.functions.find(head);
-  if (head != "=" && (relation == contents_.functions.end() || relation->second.result != "Bool"))
-    fail(form, "and, or, not, = or a declared relation");
-  for (const SExpr& argument : arguments) result.terms.push_back(term(argument, axiom));
-  if (head == "=") {
-    if (arguments.size() != 2) fail(form, "two sides");
-    if (sort_of(result.terms[0], axiom) != sort_of(result.terms[1], axiom))
-      fail(form, "two sides of one sort");
-    result.kind = Formula::Kind::equality;
-    return result;
-  }
-  if (relation->second.arguments.size() != arguments.size())
-    fail(form, arguments_text(relation->second.arguments.size()));
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-    if (sort_of(result.terms[i], axiom) != relation->second.arguments[i])
-      fail(arguments[i], "a term of sort " + relation->second.arguments[i]);
-  result.kind = Formula::Kind::relation;
-  result.relation = head;
-  return result;
-}
-
-Term AxiomReader::term(const SExpr& form, const Axiom& axiom) const {
-  Term result;
-  if (!form.is_list()) {
-    for (std::size_t i = 0; i < axiom.variables.size(); ++i)
-      if (axiom.variables[i].name == form.symbol) {
-        result.kind = Term::Kind::variable;
-        result.variable = i;
-        return result;
-      }
-  }
-  const SExpr& head = form.is_list() ? form.list.front() : form;
-  const auto function = contents_.functions.find(head.symbol);
-  const std::size_t arguments = form.is_list() ? form.list.size() - 1 : 0;
-  if (function == contents_.functions.end() || function->second.result == "Bool")
-    fail(form, "a variable, a declared constant or function");
-  if (function->second.arguments.size() != arguments)
-    fail(form, arguments_text(function->second.arguments.size()));
-  result.symbol = head.symbol;
-  if (arguments == 1) {
-    result.kind = Term::Kind::application;
-    result.argument.push_back(term(form.list[1], axiom));
-    if (sort_of(result.argument.front(), axiom) != function->second.arguments.front())
-      fail(form.list[1], "a term of sort " + function->second.arguments.front());
-  }
-  return result;
-}
-
-std::string AxiomReader::sort_of(const Term& term, const Axiom& axiom) const {
-  return term.kind == Term::Kind::variable ? axiom.variables[term.variable].sort
-                                           : contents_.functions.at(term.symbol).result;
+      words_.fail(form,
+                  "variable " + axiom.variables[i].name + " in a positive atom of the premise");
 }
 
 }  // namespace asterism

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
 #include "axioms/axiom_reader.hpp"
 #include "core/error.hpp"
@@ -53,13 +54,12 @@ std::vector<Axiom> assertions(const AxiomSet& axioms) {
 }  // namespace
 
 bool same_statement(const Axiom& a, const Axiom& b) {
-  const auto sorts = [](const Axiom& axiom) {
-    std::vector<std::string> result;
-    for (const auto& variable : axiom.variables) result.push_back(variable.sort);
-    return result;
-  };
-  return a.name == b.name && sorts(a) == sorts(b) && a.premise == b.premise &&
+  return a.name == b.name && same_sorts(a.variables, b.variables) && a.premise == b.premise &&
          a.conclusion == b.conclusion && a.function == b.function;
+}
+
+bool same_sorts(std::span<const Axiom::Variable> a, std::span<const Axiom::Variable> b) {
+  return std::ranges::equal(a, b, {}, &Axiom::Variable::sort, &Axiom::Variable::sort);
 }
 
 AxiomSet AxiomSet::parse(const std::map<std::string, std::string>& files,
@@ -98,6 +98,18 @@ std::vector<std::string> AxiomSet::optional_names() {
   return result;
 }
 
+std::vector<std::string> AxiomSet::preference_names() const {
+  std::vector<std::string> names;
+  for (const ExtentDeclaration& extent : minimised())
+    names.push_back(extent.name + (extent_named(extent.name) && !extent.known ? " (own)" : ""));
+  return names;
+}
+
+const std::vector<Extent>& AxiomSet::preference() const {
+  if (minimises_own()) throw std::logic_error("an extent that the program does not know");
+  return *contents_->preference;
+}
+
 bool AxiomSet::contains(std::string_view axiom) const {
   return std::ranges::find(axioms(), axiom, &Axiom::name) != axioms().end();
 }
@@ -109,6 +121,7 @@ bool AxiomSet::has_unique_names(const std::string& sort) const {
 }
 
 bool AxiomSet::is_shipped() const {
+  if (minimises_own()) return false;
   std::vector<std::string> optional;
   for (const std::string& name : optional_names())
     if (contains(name)) optional.push_back(name);

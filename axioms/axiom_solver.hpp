@@ -1,18 +1,18 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "axioms/axiom_set.hpp"
-#include "axioms/grounder.hpp"
+#include "axioms/fact.hpp"
 #include "core/verdict.hpp"
 
 namespace asterism {
 
 /// Are these facts consistent with the axioms? Facts come and go as on a stack; Z3 decides.
+/// For one thread at a time; each has a Z3 context of its own.
 class AxiomSolver {
  public:
   /// @param timeout_ms  for each check; past it the answer is *undecided*
@@ -21,10 +21,13 @@ class AxiomSolver {
   AxiomSolver(AxiomSolver&&) noexcept;
   AxiomSolver& operator=(AxiomSolver&&) noexcept;
 
+  /// Marks the facts there are.
   void push();
+  /// Takes back the facts added since the last mark, and that mark.
   void pop();
   /// Adds facts with all instances of the axioms that they complete.
   void add(std::span<const Fact> facts);
+  /// Whether all facts there are can be.
   /// @throws SolverError if Z3 fails
   Verdict check();
 
@@ -33,26 +36,11 @@ class AxiomSolver {
   std::unique_ptr<State> state_;
 };
 
-/// Why facts contradict the axioms: facts and instances that together cannot be, none of which can
-/// be spared.
-struct Clash {
-  struct Step {
-    std::string axiom;
-    std::vector<std::pair<std::string, std::string>> binding;  ///< variable, constant
-  };
-  std::vector<Step> steps;
-  std::vector<Fact> facts;
-};
+/// Gives the solver so many bytes more than it holds, in all of this process, from now on. What
+/// needs more throws SolverMemoryError, or kills the process: Z3 cannot always go on from there.
+void limit_solver_memory(std::uint64_t bytes);
 
-/// The first `background` facts are taken for granted and not listed. Found by a fresh solver,
-/// minimised, and checked again by another.
-/// @return nothing if the facts are consistent, or the solver did not say
-std::optional<Clash> find_clash(const AxiomSet& axioms, std::span<const Fact> facts,
-                                std::size_t background, unsigned timeout_ms);
-
-/// The problem as SMT-LIB 2 text without quantifiers, for any solver: declarations, unique names, a
-/// named assertion a fact and an instance, check-sat.
-std::string smt2_text(const AxiomSet& axioms, std::span<const Fact> facts,
-                      const std::string& title);
+/// The version of Z3 that this was built with: "4.8.12.0".
+std::string solver_version();
 
 }  // namespace asterism

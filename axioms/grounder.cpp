@@ -98,6 +98,12 @@ Grounder::GroundAtom Grounder::atom(const Fact& fact) {
   return result;
 }
 
+std::string Grounder::text(TermId id) const {
+  const GroundTerm& term = terms_[id];
+  if (term.argument.empty()) return term.symbol;
+  return "(" + term.symbol + " " + text(term.argument.front()) + ")";
+}
+
 std::size_t Grounder::depth(TermId id) const {
   std::size_t result = 0;
   for (; !terms_[id].argument.empty(); id = terms_[id].argument.front()) ++result;

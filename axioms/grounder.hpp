@@ -9,17 +9,11 @@
 #include <vector>
 
 #include "axioms/axiom_set.hpp"
+#include "axioms/fact.hpp"
 
 namespace asterism {
 
-/// A ground atom as given from outside: a relation of constants.
-struct Fact {
-  std::string relation;
-  std::vector<std::string> arguments;
-  friend auto operator<=>(const Fact&, const Fact&) = default;
-};
-
-/// Finds the ground instances of the axioms that matter for a growing set of facts.     [DESIGN §8]
+/// Finds the ground instances of the axioms that matter for a growing set of facts.     [theory §8]
 ///
 /// Semi-naive joining: an instance is found when the last of its premises arrives, as a fact or as
 /// the conclusion of another instance. Leaving out instances whose premises nothing derives is
@@ -27,9 +21,13 @@ struct Fact {
 /// between constants that are named apart are decided here, all others are left to the solver, and
 /// a variable of another sort matches any term, with an equality added to the premise. So too much
 /// may be derived, which only costs time, and never too little.
+///
+/// For one thread at a time.
 class Grounder {
  public:
+  /// Number of a ground term, counted from 0 as they are made.
   using TermId = std::uint32_t;
+  /// Number of an atom that is known, counted from 0 as they are learnt.
   using AtomId = std::uint32_t;
 
   /// A ground term: a constant, or a function of a term.
@@ -38,6 +36,7 @@ class Grounder {
     std::vector<TermId> argument;
     std::string sort;
   };
+  /// A relation of ground terms.
   struct GroundAtom {
     std::uint32_t relation;  ///< index into relations()
     std::vector<TermId> arguments;
@@ -59,21 +58,31 @@ class Grounder {
   /// Adds a fact; calls `found` with every instance that it completes.
   /// @throws InputError if an axiom derives terms of terms without end
   void add(const Fact& fact, const std::function<void(Instance)>& found);
-  /// Forgets the atoms derived since the matching push().
+  /// Marks what is known.
   void push() { marks_.push_back(known_.size()); }
+  /// Forgets the atoms derived since the last mark, and that mark.
   void pop();
 
+  /// The axioms that are grounded; instances point into them.
   const AxiomSet& axioms() const { return axioms_; }
+  /// Names of the relations, in the order of their numbers.
   const std::vector<std::string>& relations() const { return relations_; }
+  /// @pre  there is a term of that number
   const GroundTerm& term(TermId id) const { return terms_[id]; }
   /// Number of terms made so far; numbers are never given up.
   std::size_t terms() const { return terms_.size(); }
+  /// "place(d0_1)" as SMT-LIB has it: "(place d0_1)".
+  std::string text(TermId id) const;
+  /// The term that a constant is.
   TermId constant(const std::string& name, const std::string& sort);
+  /// The atom that a fact is.
+  /// @throws std::invalid_argument if its relation has another number of arguments
   GroundAtom atom(const Fact& fact);
   /// The ground term that an axiom's term becomes.
   TermId bind(const Term& term, std::span<const TermId> binding);
+  /// The number of a relation.
   std::uint32_t relation(const std::string& name) const { return relation_numbers_.at(name); }
-  /// Constants that are named apart are equal only if they are the same.
+  /// Whether two terms are constants that are named apart, and so cannot be equal.
   bool named_apart(TermId a, TermId b) const;
 
  private:

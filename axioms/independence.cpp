@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "axioms/ground_proof.hpp"
 #include "axioms/model_finder.hpp"
 #include "axioms/sentences.hpp"
 
@@ -86,7 +85,7 @@ std::optional<FiniteModel> model_of(const Axiom& sentence, const AxiomSet& axiom
 
 Independence search(const Axiom& sentence, const AxiomSet& axioms, ModelWanted wanted,
                     std::size_t dstates, Deadline deadline) {
-  const Axiom turns = turns_are_turns();
+  const Axiom turns = turns_are_turns(axioms);
   wanted.hold.push_back(&turns);
   Independence result;
   if (is_over(deadline)) return result;
@@ -127,18 +126,12 @@ Independence independence_from_all(const Axiom& sentence, const AxiomSet& axioms
 }
 
 Independence model_with_travel(const AxiomSet& axioms, Deadline deadline) {
-  const Axiom no_travel = no_travel_between_places();
+  const Axiom no_travel = no_travel_between_places(axioms);
   // Two dead ends with a travel between them have four arms.
   const Independence full =
       independence_from_all(no_travel, axioms, {"sees", "next", "opposite"}, 4, deadline);
   if (full.kind != Independence::Kind::undecided) return full;
   return independence_from_all(no_travel, axioms, {}, 2, deadline);
-}
-
-std::string step_text(const Clash::Step& step) {
-  std::string bound;
-  for (const auto& [variable, term] : step.binding) bound += (bound.empty() ? "" : ", ") + term;
-  return bound.empty() ? step.axiom : step.axiom + "(" + bound + ")";
 }
 
 }  // namespace asterism

@@ -5,25 +5,26 @@
 #include <vector>
 
 #include "axioms/axiom_set.hpp"
-#include "axioms/axiom_solver.hpp"
 #include "axioms/finite_model.hpp"
-#include "core/deadline.hpp"
+#include "axioms/ground_proof.hpp"
+#include "core/stop.hpp"
 
 namespace asterism {
 
 /// Whether axioms leave it open that a sentence fails.
 struct Independence {
+  /// Whether the sentence can fail.
   enum class Kind { independent, implied, undecided };
   Kind kind = Kind::undecided;
 
-  // Where it is independent: a model of the others in which it fails.
+  /// Where it is independent: a model of the others in which it fails.
   std::optional<FiniteModel> model = {};
   /// Where in the model it fails: an element for each of its variables.
   std::vector<std::string> failure = {};
 
   /// Where it is implied: instances of the others, of the terms that its variables name, that
   /// cannot hold together where it fails. None of them can be spared.
-  std::vector<Clash::Step> proof = {};
+  std::vector<AxiomInstance> proof = {};
 };
 
 /// Whether one axiom of the set says what all the others do not.
@@ -51,8 +52,5 @@ Independence independence_from_all(const Axiom& sentence, const AxiomSet& axioms
 /// A model in which a travel leads from one place to another, as far as there can be each dstate
 /// having its view, its next arm and its opposite; or the proof that there is none.
 Independence model_with_travel(const AxiomSet& axioms, Deadline deadline);
-
-/// "transitive(q, r, s)": the axiom with its variables bound, in order.
-std::string step_text(const Clash::Step& step);
 
 }  // namespace asterism

@@ -24,12 +24,6 @@ bool leaves_no_choice(const Formula& formula) {
   }
 }
 
-Term application(const std::string& function) {
-  return {.kind = Term::Kind::application,
-          .symbol = function,
-          .argument = {{.kind = Term::Kind::variable, .symbol = "", .argument = {}}}};
-}
-
 }  // namespace
 
 bool LeastClosure::exists(const AxiomSet& axioms) {
@@ -41,8 +35,10 @@ bool LeastClosure::exists(const AxiomSet& axioms) {
 
 LeastClosure::LeastClosure(const AxiomSet& axioms, std::span<const Fact> facts)
     : grounder_(axioms) {
-  for (const Fact& fact : facts) {
-    known_.push_back(grounder_.atom(fact));
+  for (const Fact& fact : facts) known_.push_back(grounder_.atom(fact));
+  for (TermId term = 0; term < grounder_.terms(); ++term)
+    if (grounder_.term(term).sort == "DState") dstates_.push_back(term);
+  for (const Fact& fact : facts)
     grounder_.add(fact, [&](const Grounder::Instance& instance) {
       Clause& clause = clauses_.emplace_back();
       clause.premise.equalities = instance.equal;
@@ -50,14 +46,18 @@ LeastClosure::LeastClosure(const AxiomSet& axioms, std::span<const Fact> facts)
         collect(part, instance, clause, clause.premise);
       collect(instance.axiom->conclusion, instance, clause, clause.conclusion);
     });
-  }
-  // Each dstate has its place and its directed path, also where no instance names them.
-  for (const TermId dstate : dstates())
-    for (const char* const function : {"place", "along"}) applied(function, dstate);
-  for (std::size_t i = 0; i < grounder_.terms(); ++i) parent_.push_back(static_cast<TermId>(i));
+  // What is counted is there also where no instance names it.
+  const AxiomSet& own = grounder_.axioms();
+  for (const Extent extent : all_extents) make_terms(own.shipped_extent(extent));
+  for (const ExtentDeclaration& extent : own.minimised()) make_terms(extent);
+  while (classes_.size() < grounder_.terms()) classes_.add();
   apply_all();
   is_contradictory_ = finds_contradiction();
-  extents_ = count();
+  extents_ = {.paths = count(own.shipped_extent(Extent::path)),
+              .places = count(own.shipped_extent(Extent::place)),
+              .segments = count(own.shipped_extent(Extent::segment))};
+  for (const ExtentDeclaration& extent : own.minimised())
+    minimised_.push_back(extent.known ? extents_.of(*extent.known) : count(extent));
 }
 
 void LeastClosure::collect(const Formula& formula, const Grounder::Instance& instance,
@@ -88,7 +88,7 @@ void LeastClosure::collect(const Formula& formula, const Grounder::Instance& ins
   }
 }
 
-LeastClosure::TermId LeastClosure::root(TermId term) const {
+LeastClosure::TermId LeastClosure::Classes::of(TermId term) const {
   while (parent_[term] != term) term = parent_[term];
   return term;
 }
@@ -109,7 +109,7 @@ bool LeastClosure::holds(const Literals& literals) const {
 bool LeastClosure::holds(const Fact& fact) {
   Atom atom = grounder_.atom(fact);
   const bool is_known = std::all_of(atom.arguments.begin(), atom.arguments.end(),
-                                    [&](TermId term) { return term < parent_.size(); });
+                                    [&](TermId term) { return term < classes_.size(); });
   return is_known && keys_.contains(key(atom));
 }
 
@@ -125,7 +125,7 @@ void LeastClosure::apply_all() {
       clause.is_applied = is_new = true;
       for (const Atom& atom : clause.conclusion.atoms)
         if (keys_.insert(key(atom)).second) known_.push_back(atom);
-      for (const auto& [a, b] : clause.conclusion.equalities) parent_[root(a)] = root(b);
+      for (const auto& [a, b] : clause.conclusion.equalities) classes_.join(a, b);
     }
   }
 }
@@ -135,12 +135,12 @@ void LeastClosure::close_equalities() {
   for (bool is_new = true; is_new;) {
     is_new = false;
     std::map<std::pair<std::string, TermId>, TermId> values;
-    for (TermId term = 0; term < parent_.size(); ++term) {
+    for (TermId term = 0; term < classes_.size(); ++term) {
       const auto& [symbol, argument, sort] = grounder_.term(term);
       if (argument.empty()) continue;
       const auto [known, is_first] = values.try_emplace({symbol, root(argument.front())}, term);
       if (is_first || root(known->second) == root(term)) continue;
-      parent_[root(term)] = root(known->second);
+      classes_.join(term, known->second);
       is_new = true;
     }
   }
@@ -148,7 +148,7 @@ void LeastClosure::close_equalities() {
 
 bool LeastClosure::finds_contradiction() const {
   std::map<TermId, TermId> named;
-  for (TermId term = 0; term < parent_.size(); ++term) {
+  for (TermId term = 0; term < classes_.size(); ++term) {
     const auto [known, is_first] = named.try_emplace(root(term), term);
     if (!is_first && grounder_.named_apart(known->second, term)) return true;
   }
@@ -165,51 +165,99 @@ bool LeastClosure::finds_contradiction() const {
   });
 }
 
-std::vector<LeastClosure::TermId> LeastClosure::dstates() const {
-  std::vector<TermId> result;
-  for (std::size_t i = 0; i < grounder_.terms(); ++i)
-    if (grounder_.term(static_cast<TermId>(i)).sort == "DState")
-      result.push_back(static_cast<TermId>(i));
-  return result;
+namespace {
+
+constexpr Grounder::TermId unbound = UINT32_MAX;
+
+bool has_unbound(const Term& term, const std::vector<Grounder::TermId>& binding) {
+  if (term.kind == Term::Kind::variable) return binding[term.variable] == unbound;
+  return !term.argument.empty() && has_unbound(term.argument.front(), binding);
 }
 
-LeastClosure::TermId LeastClosure::applied(const char* function, TermId argument) {
-  // The grounder remembers terms of axioms by where they are.
-  static const std::map<std::string, Term> terms{{"place", application("place")},
-                                                 {"along", application("along")}};
-  return grounder_.bind(terms.at(function), {&argument, 1});
+void collect_terms(const Formula& formula, std::vector<const Term*>& terms) {
+  for (const Term& term : formula.terms) terms.push_back(&term);
+  for (const Formula& part : formula.parts) collect_terms(part, terms);
 }
 
-LeastClosure::Extents LeastClosure::count() {
-  std::set<TermId> places;
-  for (const TermId dstate : dstates()) places.insert(root(applied("place", dstate)));
+}  // namespace
 
-  // A path is its two directions, taken for one when nothing else is still to be told apart.
-  std::vector<TermId> apart = parent_;
-  for (TermId term = 0; term < parent_.size(); ++term)
-    if (const auto& [symbol, argument, sort] = grounder_.term(term); symbol == "opp")
-      parent_[root(term)] = root(argument.front());
-  std::set<TermId> paths;
-  for (const TermId dstate : dstates()) paths.insert(root(applied("along", dstate)));
-  parent_ = std::move(apart);
+/// A term has one variable at most, which may stand for any dstate.
+void LeastClosure::make_terms(const ExtentDeclaration& extent) {
+  std::vector<const Term*> terms;
+  for (const Term& term : extent.terms) terms.push_back(&term);
+  for (const Formula& part : extent.premise) collect_terms(part, terms);
+  for (const TermId dstate : dstates_)
+    for (const Term* const term : terms)
+      grounder_.bind(*term, Binding(extent.variables.size(), dstate));
+}
 
-  std::map<std::size_t, std::size_t> around;
-  std::vector<std::pair<std::size_t, std::size_t>> travels;
-  const std::size_t leads = grounder_.relation("leads");
-  for (const Key& atom : keys_) {
-    if (atom.front() != leads) continue;
-    const std::string& action = grounder_.term(static_cast<TermId>(atom[2])).symbol;
-    if (action == "turn_around") around[atom[1]] = atom[3];
-    if (action == "travel") travels.emplace_back(atom[1], atom[3]);
+std::uint32_t LeastClosure::count(const ExtentDeclaration& extent) {
+  Classes joined = classes_;  // what is not equal, but counts as one
+  std::set<TermId> values;
+  bind(extent, 0, Binding(extent.variables.size(), unbound), [&](const Binding& binding) {
+    const TermId first = grounder_.bind(extent.terms.front(), binding);
+    for (const Term& term : extent.terms) {
+      const TermId value = grounder_.bind(term, binding);
+      values.insert(value);
+      joined.join(value, first);
+    }
+  });
+  std::set<TermId> counted;
+  for (const TermId value : values) counted.insert(joined.of(value));
+  return static_cast<std::uint32_t>(counted.size());
+}
+
+/// Calls f for all that the variables may stand for: relations of the premise tell most of them.
+void LeastClosure::bind(const ExtentDeclaration& extent, std::size_t part, const Binding& binding,
+                        const std::function<void(const Binding&)>& f) {
+  if (part < extent.premise.size()) {
+    const Formula& formula = extent.premise[part];
+    if (formula.kind != Formula::Kind::relation) return bind(extent, part + 1, binding, f);
+    const std::size_t relation = grounder_.relation(formula.relation);
+    for (auto atom = keys_.lower_bound({relation});
+         atom != keys_.end() && atom->front() == relation; ++atom)
+      if (const auto more = matched(formula, *atom, binding)) bind(extent, part + 1, *more, f);
+    return;
   }
-  // A travel and its way back have the same two gateways.
-  std::set<std::pair<std::size_t, std::size_t>> segments;
-  for (const auto& [from, to] : travels) {
-    const auto turned = around.find(to);
-    const std::size_t gateway = turned == around.end() ? to : turned->second;
-    segments.insert(std::minmax(from, gateway));
+  if (const auto free = std::ranges::find(binding, unbound); free != binding.end()) {
+    Binding more = binding;
+    for (const TermId dstate : dstates_) {
+      more[static_cast<std::size_t>(free - binding.begin())] = dstate;
+      bind(extent, part, more, f);
+    }
+    return;
   }
-  return {paths.size(), places.size(), segments.size()};
+  if (std::ranges::all_of(extent.premise, [&](const auto& each) { return holds(each, binding); }))
+    f(binding);
+}
+
+/// The binding with the variables that stand by themselves in the atom; nothing if the premise says
+/// another atom. What has a variable inside that is not bound yet is left to holds().
+std::optional<LeastClosure::Binding> LeastClosure::matched(const Formula& premise, const Key& atom,
+                                                           Binding binding) {
+  for (std::size_t i = 0; i < premise.terms.size(); ++i) {
+    const Term& term = premise.terms[i];
+    const auto argument = static_cast<TermId>(atom[i + 1]);
+    if (has_unbound(term, binding)) {
+      if (term.kind != Term::Kind::variable) continue;
+      // Dstates are named apart, so that each is a class of its own.
+      if (!std::ranges::binary_search(dstates_, argument)) return std::nullopt;
+      binding[term.variable] = argument;
+    } else if (root(grounder_.bind(term, binding)) != argument) {
+      return std::nullopt;
+    }
+  }
+  return binding;
+}
+
+bool LeastClosure::holds(const Formula& formula, const Binding& binding) {
+  const auto value = [&](const Term& term) { return grounder_.bind(term, binding); };
+  if (formula.kind == Formula::Kind::negation) return !holds(formula.parts.front(), binding);
+  if (formula.kind == Formula::Kind::equality)
+    return root(value(formula.terms[0])) == root(value(formula.terms[1]));
+  Atom atom{grounder_.relation(formula.relation), {}};
+  for (const Term& term : formula.terms) atom.arguments.push_back(value(term));
+  return keys_.contains(key(atom));
 }
 
 }  // namespace asterism

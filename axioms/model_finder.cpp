@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "axioms/z3_vocabulary.hpp"
+#include "axioms/bench/formula.hpp"
+#include "axioms/bench/z3.hpp"
 
 namespace asterism {
 namespace {
@@ -49,15 +50,7 @@ class GroundModel {
     if (is_over(deadline)) return Verdict::undecided;
     // A limit costs a thread for each of many short questions: none is set that would not matter.
     if (seconds_until(deadline) < 3600) set_timeout(solver_, milliseconds_until(deadline));
-    switch (solver_.check()) {
-      case z3::sat:
-        return Verdict::consistent;
-      case z3::unsat:
-        return Verdict::inconsistent;
-      case z3::unknown:
-        break;
-    }
-    return Verdict::undecided;
+    return verdict_of(solver_.check());
   }
 
   /// Drops tuples one by one, as long as some model does without; the last check found one.
@@ -200,26 +193,10 @@ class GroundModel {
     return static_cast<std::size_t>(std::find(all.begin(), all.end(), term.symbol) - all.begin());
   }
 
-  z3::expr formula(const Instance& instance, const Formula& formula) {
-    z3::expr_vector parts(context_);
-    for (const Formula& part : formula.parts) parts.push_back(this->formula(instance, part));
-    switch (formula.kind) {
-      case Formula::Kind::truth:
-        return context_.bool_val(true);
-      case Formula::Kind::falsity:
-        return context_.bool_val(false);
-      case Formula::Kind::equality:
-        return context_.bool_val(element(instance, formula.terms[0]) ==
-                                 element(instance, formula.terms[1]));
-      case Formula::Kind::negation:
-        return !parts[0];
-      case Formula::Kind::conjunction:
-        return z3::mk_and(parts);
-      case Formula::Kind::disjunction:
-        return z3::mk_or(parts);
-      case Formula::Kind::relation:
-        break;
-    }
+  z3::expr atom(const Instance& instance, const Formula& formula) {
+    if (formula.kind == Formula::Kind::equality)
+      return context_.bool_val(element(instance, formula.terms[0]) ==
+                               element(instance, formula.terms[1]));
     const auto& sorts = axioms_.functions().at(formula.relation).arguments;
     std::size_t number = 0;
     for (std::size_t i = 0; i < sorts.size(); ++i)
@@ -264,9 +241,10 @@ class GroundModel {
   }
 
   std::optional<z3::expr> failure_at(const Instance& instance) {
+    const AtomForZ3 atom = [&](const Formula& formula) { return this->atom(instance, formula); };
     z3::expr_vector all(context_);
     for (const Formula& part : instance.axiom.premise) {
-      const z3::expr holds = formula(instance, part);
+      const z3::expr holds = z3_formula(context_, part, atom);
       if (holds.is_false()) return std::nullopt;
       all.push_back(holds);
     }
@@ -279,7 +257,7 @@ class GroundModel {
       all.push_back(
           propositions_.at(term.symbol)[argument * values + instance.elements[variables + i]]);
     }
-    const z3::expr conclusion = formula(instance, instance.axiom.conclusion);
+    const z3::expr conclusion = z3_formula(context_, instance.axiom.conclusion, atom);
     if (conclusion.is_true()) return std::nullopt;
     all.push_back(!conclusion);
     return z3::mk_and(all);

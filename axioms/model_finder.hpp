@@ -7,7 +7,7 @@
 
 #include "axioms/axiom_set.hpp"
 #include "axioms/finite_model.hpp"
-#include "core/deadline.hpp"
+#include "core/stop.hpp"
 #include "core/verdict.hpp"
 
 namespace asterism {
@@ -22,6 +22,7 @@ struct ModelWanted {
   std::vector<std::string> total = {};
 };
 
+/// The answer to a search for a model.
 struct ModelFound {
   Verdict verdict = Verdict::undecided;  ///< whether there is a model of these sizes
   std::optional<FiniteModel> model;

@@ -1,84 +1,50 @@
 #include "axioms/sentences.hpp"
 
+#include "axioms/formula_reader.hpp"
+
 namespace asterism {
 namespace {
 
-Term variable(std::size_t number) {
-  return {.kind = Term::Kind::variable, .variable = number, .symbol = "", .argument = {}};
-}
+using Variables = FormulaReader::Variables;
 
-Term constant(const std::string& name) { return {.symbol = name, .argument = {}}; }
-
-Term apply(const std::string& function, Term argument) {
-  return {.kind = Term::Kind::application, .symbol = function, .argument = {std::move(argument)}};
-}
-
-Formula relation(const std::string& name, std::vector<Term> terms) {
-  return {
-      .kind = Formula::Kind::relation, .relation = name, .terms = std::move(terms), .parts = {}};
-}
-
-Formula equal(Term one, Term other) {
-  return {.kind = Formula::Kind::equality,
-          .relation = "",
-          .terms = {std::move(one), std::move(other)},
-          .parts = {}};
-}
-
-Formula negated(Formula formula) {
-  return {
-      .kind = Formula::Kind::negation, .relation = "", .terms = {}, .parts = {std::move(formula)}};
-}
-
-Formula both(Formula one, Formula other) {
-  return {.kind = Formula::Kind::conjunction,
-          .relation = "",
-          .terms = {},
-          .parts = {std::move(one), std::move(other)}};
-}
-
-Axiom sentence(const std::string& name, std::vector<Axiom::Variable> variables,
-               std::vector<Formula> premise, Formula conclusion) {
+/// @param premise     formulas, one after another: all of these
+/// @param conclusion  one formula
+Axiom sentence(const AxiomSet& axioms, const std::string& name, const Variables& variables,
+               const std::string& premise, const std::string& conclusion) {
+  const FormulaReader words(axioms.sorts(), axioms.functions());
   Axiom result;
   result.name = name;
-  result.variables = std::move(variables);
-  result.premise = std::move(premise);
-  result.conclusion = std::move(conclusion);
+  result.variables = variables;
+  for (const SExpr& part : parse_sexprs(premise, name))
+    result.premise.push_back(words.formula(part, variables));
+  result.conclusion = words.formula(parse_sexprs(conclusion, name).front(), variables);
   return result;
 }
 
 }  // namespace
 
-Axiom turns_are_turns() {
-  return sentence("turns", {}, {},
-                  both(relation("is_turn", {constant("turn_around")}),
-                       relation("is_turn", {constant("turn_clockwise")})));
+Axiom turns_are_turns(const AxiomSet& axioms) {
+  return sentence(axioms, "turns", {}, "", "(and (is_turn turn_around) (is_turn turn_clockwise))");
 }
 
-Axiom no_travel_between_places() {
-  return sentence("no_travel", {{"q", "DState"}, {"r", "DState"}},
-                  {relation("leads", {variable(0), constant("travel"), variable(1)})},
-                  equal(apply("place", variable(0)), apply("place", variable(1))));
+Axiom no_travel_between_places(const AxiomSet& axioms) {
+  return sentence(axioms, "no_travel", {{"q", "DState"}, {"r", "DState"}}, "(leads q travel r)",
+                  "(= (place q) (place r))");
 }
 
 std::vector<Axiom> usual_sentences(const AxiomSet& axioms) {
+  const Variables pair{{"q", "DState"}, {"r", "DState"}};
   std::vector<Axiom> result{
-      sentence("elsewhere", {{"q", "DState"}, {"a", "Action"}, {"r", "DState"}},
-               {relation("leads", {variable(0), variable(1), variable(2)})},
-               negated(equal(variable(0), variable(2)))),
-      sentence("travel_is_no_turn", {}, {}, negated(relation("is_turn", {constant("travel")})))};
-  for (const char* const name : {"next", "opposite"})
-    result.push_back(sentence(name + std::string("_elsewhere"), {{"q", "DState"}, {"r", "DState"}},
-                              {relation(name, {variable(0), variable(1)})},
-                              negated(equal(variable(0), variable(1)))));
+      sentence(axioms, "elsewhere", {{"q", "DState"}, {"a", "Action"}, {"r", "DState"}},
+               "(leads q a r)", "(not (= q r))"),
+      sentence(axioms, "travel_is_no_turn", {}, "", "(not (is_turn travel))"),
+      sentence(axioms, "next_elsewhere", pair, "(next q r)", "(not (= q r))"),
+      sentence(axioms, "opposite_elsewhere", pair, "(opposite q r)", "(not (= q r))")};
   const auto opp = axioms.functions().find("opp");
   if (opp != axioms.functions().end() && opp->second.arguments.size() == 1 &&
-      opp->second.result == opp->second.arguments.front()) {
-    const Term other = apply("opp", variable(0));
-    result.push_back(sentence(
-        "two_directions", {{"d", opp->second.result}}, {},
-        both(equal(apply("opp", other), variable(0)), negated(equal(other, variable(0))))));
-  }
+      opp->second.result == opp->second.arguments.front())
+    result.push_back(sentence(axioms, "two_directions", {{"d", opp->second.result}}, "",
+                              "(and (= (opp (opp d)) d) (not (= (opp d) d)))"));
   return result;
 }
 

@@ -6,14 +6,14 @@
 
 namespace asterism {
 
-// Sentences that are no axioms, for asking what axioms leave open. They may have another form than
-// axioms must have.
+// Sentences that are no axioms, for asking what axioms leave open: in the words of a set, but not
+// always of the form that axioms must have.
 
 /// Turning around and turning clockwise are turns: told with every trace, whatever it is.
-Axiom turns_are_turns();
+Axiom turns_are_turns(const AxiomSet& axioms);
 
 /// No travel leads from one place to another.
-Axiom no_travel_between_places();
+Axiom no_travel_between_places(const AxiomSet& axioms);
 
 /// What is so wherever a robot may be, though no axiom needs to say it: an action leads to another
 /// dstate, as do next and opposite, travel is no turn, and where there is `opp`, each directed path

@@ -14,10 +14,13 @@ struct SExpr {
   std::size_t line = 0;  ///< from 1
   std::string comment;   ///< lines of the comment that ends on the line above, without ';'
 
+  /// Whether it is a list, not a symbol.
   bool is_list() const { return symbol.empty(); }
+  /// Whether it is this symbol.
   bool is(std::string_view name) const { return symbol == name; }
-  /// A list that begins with this symbol.
+  /// Whether it is a list that begins with this symbol.
   bool calls(std::string_view name) const { return !list.empty() && list.front().is(name); }
+  /// As SMT-LIB writes it, in one line.
   std::string text() const;
 };
 

@@ -64,15 +64,16 @@ bool is_name_of_fact(const std::string& name) {
          digits_end(end + 1) > end + 1 && digits_end(end + 1) == name.size();
 }
 
-void require_vocabulary(const AxiomSet& axioms, const std::string& where) {
+void require_vocabulary(const std::map<std::string, AxiomSet::Function>& functions,
+                        const std::string& where) {
   for (const auto& [name, function] : words_of_facts) {
-    const auto declared = axioms.functions().find(name);
-    if (declared == axioms.functions().end())
+    const auto declared = functions.find(name);
+    if (declared == functions.end())
       throw InputError(where, "no declaration of " + name, declaration(name, function));
     if (declared->second != function)
       throw InputError(where, declaration(name, declared->second), declaration(name, function));
   }
-  for (const auto& [name, function] : axioms.functions())
+  for (const auto& [name, function] : functions)
     for (const std::string sort : {"DState", "Action", "View"})
       if (function.result == sort && !function.arguments.empty())
         throw InputError(where, declaration(name, function),

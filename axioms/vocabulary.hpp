@@ -20,6 +20,7 @@ bool is_name_of_fact(const std::string& name);
 /// Dstates, actions and views are named apart, so no function may make them.
 /// @param where  file or folder, for messages
 /// @throws InputError with the declaration that is missing
-void require_vocabulary(const AxiomSet& axioms, const std::string& where);
+void require_vocabulary(const std::map<std::string, AxiomSet::Function>& functions,
+                        const std::string& where);
 
 }  // namespace asterism

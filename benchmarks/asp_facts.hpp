@@ -16,7 +16,7 @@ namespace asterism {
 ///     arrive(K, A).   visit K matches the place of A at A; of its own arms, only the one entered
 ///     by depart(K, A, B).  where it arrived by A, it left by B
 ///
-/// Matching is done here, since it depends on no map.                             [DESIGN §3]
+/// Matching is done here, since it depends on no map.                             [theory §3]
 /// @pre  require_valid(trace) does not throw
 std::string asp_facts(const Trace& trace);
 

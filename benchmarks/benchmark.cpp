@@ -33,7 +33,7 @@ std::vector<KnownCase> shared_cases() {
 
 std::vector<KnownCase> simulated_cases(std::uint64_t most_maps) {
   std::vector<KnownCase> cases;
-  for (const BenchmarkTrace& benchmark : kBenchmarkTraces)
+  for (const BenchmarkTrace& benchmark : benchmark_traces)
     if (benchmark.consistent <= most_maps)
       cases.push_back({make_trace(benchmark), benchmark.consistent, std::nullopt});
   return cases;

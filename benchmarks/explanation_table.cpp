@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/explanation.hpp"
-#include "engine/map_tree.hpp"
+#include "engine/proof/explain.hpp"
+#include "engine/tree/map_tree.hpp"
 
 namespace asterism {
 namespace {
@@ -38,10 +38,10 @@ void add_row(Report& report, const Trace& trace, bool planar) {
       if (possible.contains({i, j})) continue;
       const std::vector<Claim> claims{{Claim::Same{VisitId(i), VisitId(j)}}};
       const std::clock_t begin = std::clock();
-      const Reason reason = explain(trace, AxiomSet::shipped(), planar, claims, ample_s);
+      const Reason reason = explain(trace, {.planar = planar}, claims, Stop{}.within(ample_s));
       if (reason.verdict != Verdict::inconsistent) continue;
       times_s.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-      members += reason.explanation.members.size();
+      members += reason.clash.members.size();
     }
   report.check(name + ", pairs explained", times_s.size(),
                visits * (visits - 1) / 2 - possible.size());

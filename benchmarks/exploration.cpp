@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "engine/map_tree.hpp"
+#include "engine/tree/map_tree.hpp"
 #include "simulation/corridor_world.hpp"
 #include "simulation/grid_world.hpp"
 
@@ -22,7 +22,7 @@ constexpr std::uint64_t most_maps = 5000;
 class Robot {
  public:
   Robot(const World& world, const Route& route, bool planar)
-      : world_(world), at_{route.start, 0}, tree_({.planar = planar}) {
+      : world_(world), at_{route.start, 0}, tree_({.theory = {.planar = planar}}) {
     RandomEngine undisguised(0);
     for (const Visit& visit : walk_along(world, route, false, undisguised).trace.visits)
       grow(visit);

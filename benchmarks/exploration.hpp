@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "engine/exits.hpp"
+#include "engine/ask/exits.hpp"
 #include "simulation/walk.hpp"
 #include "simulation/world.hpp"
 

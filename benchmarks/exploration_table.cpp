@@ -9,16 +9,16 @@
 namespace asterism {
 namespace {
 
-constexpr std::size_t kTravels = 10;
+constexpr std::size_t explored_travels = 10;
 
 struct Way {
   const char* name;
   Explorer explorer;
   std::size_t advised_travels;  ///< of an exit
 };
-constexpr Way kRandom{"random gateways", Explorer::random, 0};
-constexpr Way kNearest{"nearest unexplored gateway", Explorer::nearest_unexplored, 0};
-constexpr Way kAdvised[] = {
+constexpr Way random_way{"random gateways", Explorer::random, 0};
+constexpr Way nearest_way{"nearest unexplored gateway", Explorer::nearest_unexplored, 0};
+constexpr Way advised_ways[] = {
     {"advice, exits up to 1 travel away", Explorer::advised, 1},
     {"advice, up to 3 (default)", Explorer::advised, ExitBounds{}.travels},
     {"advice, up to 6", Explorer::advised, 6},
@@ -41,7 +41,7 @@ std::vector<Explored> explore_all(const std::vector<Start>& starts, const Way& w
   std::vector<Explored> result;
   for (const Start& start : starts) {
     RandomEngine engine(start.seed);
-    result.push_back(explore(start.exploration, way.explorer, planar, kTravels, engine,
+    result.push_back(explore(start.exploration, way.explorer, planar, explored_travels, engine,
                              {.travels = way.advised_travels}));
   }
   return result;
@@ -86,11 +86,11 @@ void add_exploration_table(Report& report, std::size_t worlds) {
        "new segments"});
   const std::vector<Start> drawn = starts(worlds);
   for (const bool planar : {false, true}) {
-    const std::vector<Explored> random = explore_all(drawn, kRandom, planar);
-    const std::vector<Explored> nearest = explore_all(drawn, kNearest, planar);
-    add_row(report, kRandom, planar, random, "", "");
-    add_row(report, kNearest, planar, nearest, share_text(nearest, random), "");
-    for (const Way& way : kAdvised) {
+    const std::vector<Explored> random = explore_all(drawn, random_way, planar);
+    const std::vector<Explored> nearest = explore_all(drawn, nearest_way, planar);
+    add_row(report, random_way, planar, random, "", "");
+    add_row(report, nearest_way, planar, nearest, share_text(nearest, random), "");
+    for (const Way& way : advised_ways) {
       const std::vector<Explored> advised = explore_all(drawn, way, planar);
       add_row(report, way, planar, advised, share_text(advised, random),
               share_text(advised, nearest));

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
+#include <variant>
 
 #include "benchmarks/asp_facts.hpp"
 #include "benchmarks/heap.hpp"
 #include "benchmarks/measure.hpp"
-#include "io/trace_file.hpp"
+#include "io/json/maps_file.hpp"
+#include "io/json/trace_file.hpp"
 
 namespace asterism {
 namespace {
@@ -96,9 +97,7 @@ Listing Programs::asterism(const Trace& trace, std::size_t runs) const {
       throw std::runtime_error(asterism_ + ": found a failure; expected exit code 0");
     return result.wall_s;
   });
-  std::ifstream stream(maps_file);
-  const std::string json(std::istreambuf_iterator<char>(stream), {});
-  listing.maps = number_after(json, "\"consistent\": ");
+  listing.maps = std::get<MapReport>(read_any_maps_file(maps_file)).consistent;
   return listing;
 }
 

@@ -7,7 +7,7 @@
 
 #include "benchmarks/process.hpp"
 #include "core/trace.hpp"
-#include "engine/map_tree.hpp"
+#include "engine/tree/map_tree.hpp"
 
 namespace asterism {
 

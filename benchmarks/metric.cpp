@@ -16,13 +16,13 @@
 namespace asterism {
 namespace {
 
-constexpr std::size_t kRuns = 5;
-constexpr std::size_t kScansAVisit = 500;  // as on ACES
+constexpr std::size_t timed_runs = 5;
+constexpr std::size_t scans_a_visit = 500;  // as on ACES
 
 /// Processor time of what is run, the median.
 template <class F>
 double processor_s(F&& run) {
-  return median(kRuns, [&] {
+  return median(timed_runs, [&] {
     const std::clock_t begin = std::clock();
     run();
     return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -40,7 +40,7 @@ DrivenScans take(const ScanSource& source, std::size_t most_scans) {
   while (drive.scans.size() < most_scans) {
     std::optional<Scan> scan = source();
     if (!scan) break;
-    if (drive.scans.size() % kScansAVisit == 0)
+    if (drive.scans.size() % scans_a_visit == 0)
       drive.anchors.push_back({drive.scans.size(), scan->odom_from_robot});
     drive.poses.push_back({scan->stamp_s, scan->odom_from_robot});
     drive.scans.push_back(*std::move(scan));

@@ -11,10 +11,10 @@
 namespace asterism {
 namespace {
 
-constexpr const char* kSearch = "this search";
-constexpr const char* kTree = "listing the tree";
-constexpr const char* kClingo = "clingo";
-constexpr const char* kSolver = "the solver";
+constexpr const char* by_search = "this search";
+constexpr const char* by_tree = "listing the tree";
+constexpr const char* by_clingo = "clingo";
+constexpr const char* by_solver = "the solver";
 
 std::string size_text(const MinimalResult::Size& size) {
   return fmt::format("{} paths, {} places", size.paths, size.places);
@@ -64,17 +64,17 @@ std::vector<MinimalMethod> methods(const MinimalScale& scale, bool planar,
   const std::size_t seeds = scale.seeds;
   std::vector<MinimalMethod> all;
   all.emplace_back(
-      kSearch, MinimalMethod::Patience{.seeds = seeds, .unproved = 1},
+      by_search, MinimalMethod::Patience{.seeds = seeds, .unproved = 1},
       [=](const Trace& trace) { return search_minimal(trace, planar, limits.search_s); });
-  all.emplace_back(kTree, MinimalMethod::Patience{.seeds = seeds},
+  all.emplace_back(by_tree, MinimalMethod::Patience{.seeds = seeds},
                    [=](const Trace& trace) { return list_minimal(trace, planar, limits); });
   // What takes a minute each time.
   const std::size_t few_seeds = std::min<std::size_t>(seeds, 3);
-  all.emplace_back(kClingo, MinimalMethod::Patience{.seeds = planar ? 0 : few_seeds},
+  all.emplace_back(by_clingo, MinimalMethod::Patience{.seeds = planar ? 0 : few_seeds},
                    [=, &scratch](const Trace& trace) {
                      return clingo_minimal(trace, limits.clingo_s, benchmarks, scratch);
                    });
-  all.emplace_back(kSolver, MinimalMethod::Patience{.seeds = few_seeds}, [=](const Trace& trace) {
+  all.emplace_back(by_solver, MinimalMethod::Patience{.seeds = few_seeds}, [=](const Trace& trace) {
     return solve_minimal(trace, planar, limits.solver_s);
   });
   return all;
@@ -90,7 +90,12 @@ GrowthRow run_size(Report& report, std::vector<MinimalMethod>& methods, const Gr
       if (method.goes_on()) said.emplace_back(method.name(), method.run(trace));
     require_agreement(report, fmt::format("{}, seed {}", trace.name, seed), said);
   }
-  return {walk, planar, methods[0].runs(), methods[1].runs(), methods[2].runs(), methods[3].runs()};
+  return {walk,
+          {.planar = planar},
+          methods[0].runs(),
+          methods[1].runs(),
+          methods[2].runs(),
+          methods[3].runs()};
 }
 
 /// Walks larger than those the search failed at: one seed of each, and two at a time, for it is the
@@ -100,7 +105,7 @@ void search_larger(std::vector<GrowthRow>& rows, double limit_s) {
   const auto search = [&] {
     for (std::size_t i = next++; i < rows.size(); i = next++)
       if (GrowthRow& row = rows[i]; row.search.results().empty())
-        row.search.add(search_minimal(make_trace(row.walk, 1), row.planar, limit_s));
+        row.search.add(search_minimal(make_trace(row.walk, 1), row.theory.planar, limit_s));
   };
   const std::jthread other(search);
   search();
@@ -117,7 +122,7 @@ TimeSeries series_of(const std::string& name, MinimalRuns GrowthRow::*runs,
                      std::span<const GrowthRow> rows, bool planar) {
   TimeSeries series{name, {}};
   for (const GrowthRow& row : rows)
-    if (row.planar == planar && !(row.*runs).results().empty())
+    if (row.theory.planar == planar && !(row.*runs).results().empty())
       series.points.push_back((row.*runs).point(row.walk.travels));
   return series;
 }
@@ -125,7 +130,7 @@ TimeSeries series_of(const std::string& name, MinimalRuns GrowthRow::*runs,
 }  // namespace
 
 std::string name_of(const GrowthRow& row) {
-  return make_trace(row.walk, 1).name + (row.planar ? ", planar" : "");
+  return make_trace(row.walk, 1).name + (row.theory.planar ? ", planar" : "");
 }
 
 std::vector<GrowthRow> add_growth_table(Report& report, const MinimalScale& scale,
@@ -133,8 +138,8 @@ std::vector<GrowthRow> add_growth_table(Report& report, const MinimalScale& scal
                                         const std::string& benchmarks) {
   report.begin_table(
       fmt::format("The minimal models of walks that grow, median of up to {} seeds:", scale.seeds),
-      {"walk", "proved", "this search", "longest", "where it was not proved", kTree,
-       "`clingo --opt-mode=optN`", kSolver});
+      {"walk", "proved", "this search", "longest", "where it was not proved", by_tree,
+       "`clingo --opt-mode=optN`", by_solver});
   const ScratchFolder scratch;
   std::vector<GrowthRow> rows;
   for (const bool planar : {false, true}) {
@@ -155,18 +160,18 @@ std::vector<GrowthRow> add_growth_table(Report& report, const MinimalScale& scal
 TimeRow growth_chart(const std::string& title, std::span<const GrowthRow> rows) {
   TimeRow chart{
       .title = title,
-      .names = {kSearch, kTree, kClingo, kSolver},
+      .names = {by_search, by_tree, by_clingo, by_solver},
       .axis = {"travels", rows.front().walk.in == GrowingWalk::In::grid ? "grid" : "corridors"},
       .ticks = {},
       .panels = {}};
   for (const GrowthRow& row : rows)
-    if (!row.planar) chart.ticks.push_back(tick_of(row.walk));
+    if (!row.theory.planar) chart.ticks.push_back(tick_of(row.walk));
   for (const bool planar : {false, true})
     chart.panels[planar ? 1 : 0] = {planar ? "planar maps" : "all maps",
-                                    {series_of(kTree, &GrowthRow::tree, rows, planar),
-                                     series_of(kClingo, &GrowthRow::clingo, rows, planar),
-                                     series_of(kSolver, &GrowthRow::solver, rows, planar),
-                                     series_of(kSearch, &GrowthRow::search, rows, planar)}};
+                                    {series_of(by_tree, &GrowthRow::tree, rows, planar),
+                                     series_of(by_clingo, &GrowthRow::clingo, rows, planar),
+                                     series_of(by_solver, &GrowthRow::solver, rows, planar),
+                                     series_of(by_search, &GrowthRow::search, rows, planar)}};
   return chart;
 }
 
@@ -194,7 +199,7 @@ TimeRow add_sweep_table(Report& report, const MinimalScale& scale) {
     panel.title = planar ? "planar maps" : "all maps";
     for (std::size_t i = 0; i < sides.size(); ++i) {
       MinimalMethod search(
-          kSearch, {.seeds = std::min(scale.seeds, most_seeds), .unproved = 2},
+          by_search, {.seeds = std::min(scale.seeds, most_seeds), .unproved = 2},
           [&](const Trace& trace) { return search_minimal(trace, planar, scale.sweep_s); });
       TimeSeries series{chart.names[i], {}};
       std::vector<std::string> cells{

@@ -8,13 +8,14 @@
 #include "benchmarks/minimal_table.hpp"
 #include "benchmarks/minimal_traces.hpp"
 #include "benchmarks/time_chart.hpp"
+#include "core/theory_record.hpp"
 
 namespace asterism {
 
 /// What the methods made of walks of one size.
 struct GrowthRow {
   GrowingWalk walk;
-  bool planar;
+  TheoryRecord theory;
   MinimalRuns search;  ///< of seeds 1, 2 ...
   MinimalRuns tree;
   MinimalRuns clingo;

@@ -9,11 +9,12 @@
 
 #include "benchmarks/asp_facts.hpp"
 #include "benchmarks/measure.hpp"
-#include "core/deadline.hpp"
-#include "engine/map_tree.hpp"
-#include "engine/minimal_models.hpp"
-#include "engine/minimal_search.hpp"
-#include "engine/solver_query.hpp"
+#include "core/stop.hpp"
+#include "engine/minimal/minimal_models.hpp"
+#include "engine/minimal/minimal_search.hpp"
+#include "engine/proof/map_problem.hpp"
+#include "engine/proof/optimum.hpp"
+#include "engine/tree/map_tree.hpp"
 
 namespace asterism {
 namespace {
@@ -27,7 +28,7 @@ MinimalResult search_once(const Trace& trace, bool planar, double limit_s) {
   const Stopwatch stopwatch;
   MinimalSearch search({.planar = planar});
   search.extend(trace.visits);
-  search.run([&](const MinimalSearch&) { return stopwatch.seconds() < limit_s; });
+  search.run(Stop{}.within(limit_s));
   const MinimalSearch::Bounds bounds = search.bounds();
   MinimalResult result{.seconds = stopwatch.seconds(),
                        .is_proved = search.is_complete(),
@@ -61,12 +62,8 @@ MinimalResult search_minimal(const Trace& trace, bool planar, double limit_s) {
 
 MinimalResult list_minimal(const Trace& trace, bool planar, const MinimalLimits& limits) {
   const Stopwatch stopwatch;
-  MapTree tree({.planar = planar,
-                .max_hypotheses = limits.tree_maps,
-                .go_on = [&](std::size_t, std::uint64_t hypotheses) {
-                  return stopwatch.seconds() < limits.tree_s && hypotheses <= limits.tree_maps;
-                }});
-  const MapTree::Growth growth = tree.extend(trace.visits);
+  MapTree tree({.theory = {.planar = planar}, .max_hypotheses = limits.tree_maps});
+  const MapTree::Growth growth = tree.extend(trace.visits, Stop{}.within(limits.tree_s));
   if (growth != MapTree::Growth::complete) return {.seconds = stopwatch.seconds()};
   const std::span<const HypothesisId> minimal = tree.minimal();
   MinimalResult result{.seconds = stopwatch.seconds(), .is_proved = true, .count = minimal.size()};
@@ -78,10 +75,10 @@ MinimalResult list_minimal(const Trace& trace, bool planar, const MinimalLimits&
 }
 
 MinimalResult solve_minimal(const Trace& trace, bool planar, double limit_s) {
-  const AxiomSet axioms = AxiomSet::shipped();
+  const Theory theory{.planar = planar};
   const Stopwatch stopwatch;
-  MapProblem problem(trace, axioms, limit_s);
-  const Optimum optimum = find_optimum(problem, trace, axioms, problem.premises(planar));
+  MapProblem problem(trace, theory, Stop{}.within(limit_s));
+  const Optimum optimum = find_optimum(problem, trace, theory.axioms, problem.premises());
   MinimalResult result{.seconds = stopwatch.seconds(),
                        .is_proved = optimum.verdict != Verdict::undecided};
   if (!optimum.extents.empty()) result.best = {optimum.extents.at(0), optimum.extents.at(1)};

@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "benchmarks/measure.hpp"
-#include "engine/minimal_search.hpp"
+#include "engine/minimal/minimal_search.hpp"
 
 namespace asterism {
 namespace {
 
 struct Aim {
   std::size_t side;
-  bool planar;
+  TheoryRecord theory;
   double most_s;
 };
-constexpr std::array kAims{Aim{4, false, 0.01}, Aim{5, false, 1}, Aim{6, true, 60}};
+const std::array aims{Aim{4, {}, 0.01}, Aim{5, {}, 1}, Aim{6, {.planar = true}, 60}};
 
 bool is_met(const Aim& aim, const MinimalRuns& runs) {
   return std::ranges::all_of(runs.results(), [&](const MinimalResult& result) {
@@ -48,9 +48,8 @@ std::string clingo_text(const GrowthRow& row) {
 
 /// A walk that was searched before.
 struct Searched {
-  GrowingWalk walk;
+  const GrowthRow* row;
   std::uint64_t seed;
-  bool planar;
   double seconds;
 };
 
@@ -61,7 +60,7 @@ std::vector<Searched> longest_proved(std::span<const GrowthRow> rows, std::size_
     for (std::size_t i = 0; i < row.search.results().size(); ++i)
       if (const MinimalResult& result = row.search.results()[i];
           row.walk.size == side && result.is_proved)
-        walks.push_back({row.walk, i + 1, row.planar, result.seconds});
+        walks.push_back({&row, i + 1, result.seconds});
   std::ranges::sort(walks, std::greater(), &Searched::seconds);
   if (walks.size() > most)
     walks.erase(walks.begin() + static_cast<std::ptrdiff_t>(most), walks.end());
@@ -83,7 +82,7 @@ struct ThreadTimes {
       if (round >= fewest_rounds && all.seconds() > scale.threads_s) break;
       for (std::size_t i = 0; i < jobs.size(); ++i) {
         const Stopwatch stopwatch;
-        MinimalSearch search({.planar = planar, .jobs = jobs[i]});
+        MinimalSearch search({.theory = {.planar = planar}, .jobs = jobs[i]});
         search.extend(trace.visits);
         search.run();
         seconds[i].push_back(stopwatch.seconds());
@@ -121,8 +120,7 @@ struct Extending {
       } else {
         search.extend(trace.visits[k]);
       }
-      const auto outcome =
-          search.run([&](const MinimalSearch&) { return all_s + stopwatch.seconds() < limit_s; });
+      const auto outcome = search.run(Stop{}.within(limit_s - all_s));
       is_over = outcome == MinimalSearch::Outcome::complete;
       all_s += stopwatch.seconds();
       longest_s = std::max(longest_s, stopwatch.seconds());
@@ -153,9 +151,9 @@ struct Extending {
 void add_aims_table(Report& report, std::span<const GrowthRow> grids) {
   report.begin_table("Minimal models of a grid, and how many times as long clingo takes:",
                      {"walk", "proved", "median", "longest", "aim", "met", "clingo"});
-  for (const Aim& aim : kAims)
+  for (const Aim& aim : aims)
     for (const GrowthRow& row : grids) {
-      if (row.walk.size != aim.side || row.planar != aim.planar) continue;
+      if (row.walk.size != aim.side || row.theory != aim.theory) continue;
       const MinimalRuns& runs = row.search;
       report.add_row({name_of(row), fmt::format("{} of {}", runs.proved(), runs.results().size()),
                       duration_text(runs.median().seconds), duration_text(runs.slowest().seconds),
@@ -174,10 +172,11 @@ void add_threads_table(Report& report, const MinimalScale& scale,
   report.begin_table("Threads, on the walks that took longest, medians:",
                      {"walk", "one thread", "two", "gain", "four", "gain"});
   for (const Searched& searched : longest_proved(grids, side, most_walks)) {
-    const Trace trace = make_trace(searched.walk, searched.seed);
+    const Trace trace = make_trace(searched.row->walk, searched.seed);
+    const bool planar = searched.row->theory.planar;
     const std::string name =
-        fmt::format("{}, seed {}{}", trace.name, searched.seed, searched.planar ? ", planar" : "");
-    const ThreadTimes times(trace, searched.planar, scale);
+        fmt::format("{}, seed {}{}", trace.name, searched.seed, planar ? ", planar" : "");
+    const ThreadTimes times(trace, planar, scale);
     report.require(times.same, name + ": the number of threads changes the minimal models");
     report.add_row({name, times.time_text(0), times.time_text(1), times.gain_text(1),
                     times.time_text(2), times.gain_text(2)});
@@ -188,7 +187,7 @@ void add_extending_table(Report& report, const MinimalScale& scale) {
   report.begin_table("Minimal models after every visit: the search extended, and begun again:",
                      {"walk", "extended, all visits", "longest visit", "begun again, all visits",
                       "longest visit"});
-  constexpr std::array<GrowingWalk, 2> walks{kGridWalks[2], kGridWalks[3]};
+  constexpr std::array<GrowingWalk, 2> walks{grid_walks[2], grid_walks[3]};
   for (std::size_t i = 0; i < std::min(scale.extended_walks, walks.size()); ++i)
     for (const bool planar : {false, true}) {
       const Trace trace = make_trace(walks[i], 1);

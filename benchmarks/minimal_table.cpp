@@ -14,8 +14,8 @@ void add_minimal_tables(Report& report, const MinimalScale& scale, const std::st
   const auto first = [&](std::span<const GrowingWalk> walks) {
     return walks.first(std::min(scale.sizes, walks.size()));
   };
-  const auto grids = add_growth_table(report, scale, first(kGridWalks), benchmarks);
-  const auto corridors = add_growth_table(report, scale, first(kCorridorWalks), benchmarks);
+  const auto grids = add_growth_table(report, scale, first(grid_walks), benchmarks);
+  const auto corridors = add_growth_table(report, scale, first(corridor_walks), benchmarks);
   const TimeRow sweep = add_sweep_table(report, scale);
   add_aims_table(report, grids);
   add_threads_table(report, scale, grids);

@@ -19,7 +19,7 @@ struct GrowingWalk {
   std::size_t travels;
 };
 
-inline constexpr std::array<GrowingWalk, 8> kGridWalks{{
+inline constexpr std::array<GrowingWalk, 8> grid_walks{{
     {GrowingWalk::In::grid, 3, 20},
     {GrowingWalk::In::grid, 4, 40},
     {GrowingWalk::In::grid, 5, 60},
@@ -30,7 +30,7 @@ inline constexpr std::array<GrowingWalk, 8> kGridWalks{{
     {GrowingWalk::In::grid, 10, 300},
 }};
 
-inline constexpr std::array<GrowingWalk, 8> kCorridorWalks{{
+inline constexpr std::array<GrowingWalk, 8> corridor_walks{{
     {GrowingWalk::In::corridors, 4, 20},
     {GrowingWalk::In::corridors, 6, 30},
     {GrowingWalk::In::corridors, 10, 45},

@@ -18,7 +18,7 @@
 namespace asterism {
 namespace {
 
-constexpr std::size_t kEveryGrid = 10;  // scans from one grid to the next that is looked at alone
+constexpr std::size_t scans_a_grid = 10;  // scans from one grid to the next that is looked at alone
 
 /// Processor time of this program, to a microsecond.
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -54,7 +54,7 @@ Perceived perceive(const ScanSource& scans, std::size_t most_scans) {
     result.visits += detector.observe(*scan).has_value();
     result.scan_s.push_back(processor_s() - begin_s);
     result.wall_s += stopwatch.seconds();
-    if (result.scan_s.size() % kEveryGrid != 0) continue;
+    if (result.scan_s.size() % scans_a_grid != 0) continue;
     const double ready_s = processor_s();
     local_topology(detector.map().grid(), detector.map_from_robot().position());
     result.grid_s.push_back(processor_s() - ready_s);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "benchmarks/report.hpp"
-#include "io/carmen_log.hpp"
+#include "io/log/carmen_log.hpp"
 
 namespace asterism {
 

@@ -9,10 +9,10 @@
 namespace asterism {
 namespace {
 
-constexpr double kPitch_m = 10;
-constexpr double kShift_m = 2;  // of a place, from the grid's point
-constexpr double kNoise_m = 0.05;
-constexpr double kNoise_rad = 0.01;
+constexpr double pitch_m = 10;
+constexpr double shift_m = 2;  // of a place, from the grid's point
+constexpr double noise_m = 0.05;
+constexpr double noise_rad = 0.01;
 
 // A lower triangular root of a covariance, and the covariance.
 struct Uncertainty {
@@ -21,7 +21,7 @@ struct Uncertainty {
 };
 
 Uncertainty any_uncertainty(RandomEngine& random) {
-  const std::array<double, 3> deviation{kNoise_m, kNoise_m, kNoise_rad};
+  const std::array<double, 3> deviation{noise_m, noise_m, noise_rad};
   Uncertainty result;
   auto& [root, covariance] = result;
   for (std::size_t row = 0; row < 3; ++row) {
@@ -49,7 +49,7 @@ PoseGraph grid_pose_graph(std::size_t side, std::size_t displacements, RandomEng
   PoseGraph graph{{Pose2{}}, {}};
   for (std::size_t place = 1; place < side * side; ++place) {
     const auto at_m = [&](std::size_t index) {
-      return kPitch_m * static_cast<double>(index) + between(-kShift_m, kShift_m, random);
+      return pitch_m * static_cast<double>(index) + between(-shift_m, shift_m, random);
     };
     const double x_m = at_m(place % side);
     const double y_m = at_m(place / side);
@@ -61,9 +61,7 @@ PoseGraph grid_pose_graph(std::size_t side, std::size_t displacements, RandomEng
     const Pose2 measured = inverse(graph.layout_from_place[from]) * graph.layout_from_place[to] *
                            exponential(any_error(uncertainty, random));
     graph.displacements.push_back(
-        {PlaceId(from),
-         PlaceId(to),
-         {measured.x_m, measured.y_m, measured.heading_rad, uncertainty.covariance}});
+        {PlaceId(from), PlaceId(to), make_displacement(measured, uncertainty.covariance)});
   };
   for (std::size_t row = 0; row < side; ++row) {
     for (std::size_t column = 0; column < side; ++column) {

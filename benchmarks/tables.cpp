@@ -7,8 +7,8 @@
 
 #include "benchmarks/measure.hpp"
 #include "benchmarks/z3_models.hpp"
-#include "engine/certify.hpp"
-#include "engine/minimal_models.hpp"
+#include "engine/minimal/minimal_models.hpp"
+#include "engine/proof/certify.hpp"
 
 namespace asterism {
 namespace {
@@ -35,7 +35,7 @@ double add_online_row(Report& report, const Scale& scale, const KnownCase& known
                       std::optional<double> all_s) {
   const bool planar = all_s.has_value();
   const std::string name = known.trace.name + (planar ? ", planar" : "");
-  const MapTree::Options options{.planar = planar};
+  const MapTree::Options options{.theory = {.planar = planar}};
   const Listing once = list_with_tree(known.trace, options, scale.runs);
   const OnlineListing online = list_online(known.trace, options, scale.runs);
   const std::optional<std::uint64_t> expected = planar ? known.planar : known.all;
@@ -56,7 +56,7 @@ std::string certification_time(const Trace& trace, bool planar) {
   tree.extend(trace.visits);
   const auto models = minimal_models(tree);
   const Stopwatch stopwatch;
-  switch (certify(trace, AxiomSet::shipped(), planar, models, time_limit_s)) {
+  switch (certify(trace, {.planar = planar}, models, Stop{}.within(time_limit_s))) {
     case Certificate::shown:
       return duration_text(stopwatch.seconds());
     case Certificate::not_shown:

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/path_colours.hpp"
-#include "io/svg.hpp"
-#include "io/svg_pen.hpp"
+#include "io/picture/map_legend.hpp"
+#include "io/picture/svg.hpp"
+#include "io/picture/svg_pen.hpp"
 
 namespace asterism {
 namespace {

@@ -17,7 +17,7 @@ struct BenchmarkTrace {
   std::uint64_t consistent;  ///< hypotheses after the last visit
 };
 
-inline constexpr std::array<BenchmarkTrace, 4> kBenchmarkTraces{{
+inline constexpr std::array<BenchmarkTrace, 4> benchmark_traces{{
     {"grid-10^3", 333, 24, 1'005},
     {"grid-10^4", 311, 40, 10'614},
     {"grid-10^5", 263, 40, 100'122},

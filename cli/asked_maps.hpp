@@ -1,60 +1,62 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
-#include <utility>
-#include <variant>
+#include <vector>
 
-#include "axioms/axiom_set.hpp"
-#include "cli/options.hpp"
-#include "cli/progress.hpp"
 #include "core/map_report.hpp"
-#include "core/trace.hpp"
-#include "engine/map_list.hpp"
-#include "engine/map_tree.hpp"
-#include "engine/minimal_search.hpp"
+#include "engine/ask/query_reader.hpp"
+#include "mapping/axiom_source.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace asterism {
 
-/// The maps of a trace that a command asks: of the tree or, where the minimal models are enough, of
-/// a search that spares the tree. The tree is grown even so where others than the native engine are
-/// to decide, or a limit is set on the maps that it lists.
-class AskedMaps {
- public:
-  /// @param trace, progress  must outlive this
-  AskedMaps(const MapCommand& command, const AxiomSet& axioms, const Trace& trace,
-            bool only_minimal, Progress& progress);
-
-  /// Lists them, or searches for them.
-  /// @return what stopped it, if anything did
-  std::optional<std::string> find();
-
-  /// All those found, or the minimal models among them.
-  MapList list() const;
-  MapList minimal() const;
-  bool are_searched() const { return std::holds_alternative<MinimalSearch>(found_); }
-  /// How many maps explain the trace; absent where they were not listed.
-  std::optional<std::uint64_t> consistent() const;
-  /// Visits that some map explains; where nothing stopped it.
-  std::size_t explained_visits() const;
-
-  /// Parts with them.
-  std::variant<MapTree, MinimalSearch> take() && { return std::move(found_); }
-
- private:
-  /// @pre  they are listed, or searched for
-  const MapTree& tree() const { return std::get<MapTree>(found_); }
-  const MinimalSearch& search() const { return std::get<MinimalSearch>(found_); }
-  std::optional<std::string> run(MinimalSearch& search);
-
-  const MapCommand& command_;
-  const Trace& trace_;
-  bool only_minimal_;
-  Progress& progress_;
-  std::variant<MapTree, MinimalSearch> found_;
-  std::size_t searched_visits_ = 0;  ///< that some map explains
+/// What maps of what trace a command asks, as read from the command line.
+struct AskedMaps {
+  std::string trace;  ///< file, or "-"
+  AxiomSource axioms = {};
+  MapOptions options = {};
+  std::vector<std::string> assume = {};  ///< texts of assumptions
+  bool only_minimal = false;             ///< the minimal models are asked, not all maps
+  unsigned jobs = 1;                     ///< threads of the search for them
+  std::optional<std::string> json = {};  ///< file for the answer, or "-"
 };
+
+void add_axiom_options(CLI::App& app, AxiomSource& source);
+/// The trace, and which maps of it there are.
+void add_maps_of_trace(CLI::App& app, AskedMaps& asked);
+/// Who decides; to be given beside add_maps_of_trace.
+void add_check(CLI::App& app, MapOptions& options);
+/// What is known beside the trace.
+void add_assumptions(CLI::App& app, std::vector<std::string>& texts);
+/// Threads of the search for minimal models.
+CLI::Option& add_jobs(CLI::App& app, unsigned& jobs);
+/// Whether all maps are asked, or the minimal models alone.
+/// @param what  the text of the help
+void add_over(CLI::App& app, AskedMaps& asked, const std::string& what);
+/// When to stop.
+void add_limits(CLI::App& app, MapOptions& options);
+
+/// A trace file, stdin for "-".
+std::string file_of(const AskedMaps& asked);
+/// What is assumed, as read from texts.
+/// @throws QueryError
+std::vector<StatedAssumption> read_assumptions(std::span<const std::string> texts);
+/// Reads the theory asked for, and records in the options which it is.
+/// @throws InputError if it cannot be read
+Theory read_theory(AskedMaps& asked, std::vector<Assumption> assumptions = {});
+/// What to say where the shipped axioms and extents are expected.
+std::string other_than_shipped(const AxiomSet& axioms);
+/// @throws InputError if the axioms or their extents need the solver, and `check` does not name it
+void require_decidable(const Theory& theory, const MapOptions& options);
+
+/// Where the answer is written: alone on stdout, or else to the file asked for, if there is one.
+/// @return  whether it is to be told in words, too
+bool write_answer(const AskedMaps& asked, const std::string& json);
 
 }  // namespace asterism

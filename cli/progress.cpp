@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
+#include <utility>
 
-#include "cli/grow.hpp"
-#include "cli/map_text.hpp"
+#include "cli/text/map_text.hpp"
 
 namespace asterism {
 namespace {
@@ -35,85 +34,92 @@ void let_signals_end() {
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
 }
 
-/// Of this program, resident; 0 where the system does not tell.
-std::uint64_t memory_bytes() {
-  std::ifstream statm("/proc/self/statm");
-  std::uint64_t all = 0, resident = 0;
-  statm >> all >> resident;
-  return statm ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
-}
-
 }  // namespace
 
-Progress::Progress(std::size_t visits, std::optional<double> time_limit_s,
-                   std::optional<std::uint64_t> memory_limit_bytes)
-    : visits_(visits),
-      time_limit_s_(time_limit_s),
-      memory_limit_bytes_(memory_limit_bytes),
-      is_terminal_(isatty(STDERR_FILENO) == 1) {
-  catch_signals();
+ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+  if (is_open_) std::fputc('\n', stderr);
 }
 
-Progress::~Progress() {
-  let_signals_end();
-  if (line_is_open_) std::fputc('\n', stderr);
-}
-
-bool Progress::operator()(std::size_t visit, std::uint64_t hypotheses) {
-  return (*this)([&] {
-    return fmt::format("{} maps of the visits up to {} of {} so far", hypotheses, visit,
-                       visits_ - 1);
-  });
-}
-
-bool Progress::searched(const MinimalSearch& search) {
-  return (*this)(
-      [&] { return bounds_text(bounds_of(search), search.options().axioms.preference().front()); });
-}
-
-bool Progress::operator()(const std::function<std::string()>& known, std::uint64_t to_come) {
-  const auto now = Clock::now();
-  const double elapsed_s = std::chrono::duration<double>(now - begin_).count();
-  if (received != 0) stopped_by_ = received == SIGINT ? "interrupt" : "termination";
-  if (time_limit_s_ && elapsed_s > *time_limit_s_) stopped_by_ = "time limit";
-  if (!has_room(to_come)) stopped_by_ = "memory limit";
-  if (stopped_by_) return false;
-  const auto wait = shown_ == begin_ ? std::chrono::milliseconds(until_first_line)
-                    : is_terminal_   ? std::chrono::milliseconds(between_lines_on_terminal)
-                                     : std::chrono::milliseconds(between_lines);
-  if (now - shown_ >= wait) {
-    show(fmt::format("{:.0f} s: {}", elapsed_s, known()));
-    shown_ = now;
-  }
-  return true;
-}
-
-bool Progress::has_room(std::uint64_t bytes) const {
-  // The rest is for what is found until it is asked again, and for writing it out.
-  constexpr double share = 0.95;
-  return !memory_limit_bytes_ || static_cast<double>(memory_bytes() + bytes) <=
-                                     share * static_cast<double>(*memory_limit_bytes_);
-}
-
-std::optional<double> Progress::seconds_left() const {
-  if (!time_limit_s_) return std::nullopt;
-  const std::chrono::duration<double> elapsed = Clock::now() - begin_;
-  return std::max(0.0, *time_limit_s_ - elapsed.count());
-}
-
-void Progress::grown(const std::string& what_now) {
-  let_signals_end();
-  if (Clock::now() - begin_ >= until_first_line) show(what_now);
-}
-
-void Progress::show(const std::string& line) {
+void ProgressLine::show(const std::string& line) {
   if (is_terminal_) {
     fmt::print(stderr, "\r{:<78}", line);
-    line_is_open_ = true;
+    is_open_ = true;
   } else {
     fmt::print(stderr, "{}\n", line);
   }
   std::fflush(stderr);
+}
+
+Progress::Progress(std::size_t visits, std::optional<double> time_limit_s,
+                   std::optional<std::uint64_t> memory_limit_bytes) {
+  catch_signals();
+  if (time_limit_s) stop_.deadline = deadline_in(*time_limit_s);
+  stop_.memory_bytes = memory_limit_bytes;
+  stop_.watch = [this, last = visits - 1](const Standing& now) {
+    return watch([&] {
+      return fmt::format("{} maps of the visits up to {} of {} so far", now.maps, now.visit, last);
+    });
+  };
+}
+
+Progress::~Progress() { let_signals_end(); }
+
+Stop Progress::stop(std::function<std::string()> known) {
+  Stop result = stop_;
+  result.watch = [this, known = std::move(known)](const Standing&) { return watch(known); };
+  return result;
+}
+
+Stop Progress::stop(const TraceMaps& maps) {
+  return maps.are_searched() ? stop(maps.search()) : stop_;
+}
+
+Stop Progress::stop(const MinimalSearch& search) {
+  return stop([&] {
+    return bounds_text(bounds_of(search),
+                       name_of(search.options().theory.axioms.preference().front()));
+  });
+}
+
+/// Why to stop, if a signal says so.
+std::optional<std::string> Progress::watch(const std::function<std::string()>& known) {
+  if (received != 0) return received == SIGINT ? "interrupt" : "termination";
+  const auto now = Clock::now();
+  const auto wait = shown_ == begin_      ? std::chrono::milliseconds(until_first_line)
+                    : line_.is_terminal() ? std::chrono::milliseconds(between_lines_on_terminal)
+                                          : std::chrono::milliseconds(between_lines);
+  if (now - shown_ >= wait) {
+    const double elapsed_s = std::chrono::duration<double>(now - begin_).count();
+    line_.show(fmt::format("{:.0f} s: {}", elapsed_s, known()));
+    shown_ = now;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> Progress::seconds_left() const {
+  if (stop_.deadline == Deadline::max()) return std::nullopt;
+  return std::max(0.0, seconds_until(stop_.deadline));
+}
+
+void Progress::grown(const std::string& what_now) {
+  let_signals_end();
+  if (Clock::now() - begin_ >= until_first_line) line_.show(what_now);
+}
+
+void ReadProgress::operator()(const LogReader& log, std::size_t scans, std::size_t visits) {
+  const auto now = Clock::now();
+  if (now - shown_ < (line_.is_terminal() ? 300ms : 5s)) return;
+  shown_ = now;
+  const double elapsed_s = std::chrono::duration<double>(now - begin_).count();
+  std::string share;
+  if (log.bytes_total() && *log.bytes_total() > 0) {
+    share = fmt::format("{:3.0f} % of the log, ", 100 * static_cast<double>(log.bytes_read()) /
+                                                      static_cast<double>(*log.bytes_total()));
+  }
+  line_.show(fmt::format("{}{} scans, {:.0f} a second, {} visits", share, scans,
+                         static_cast<double>(scans) / elapsed_s, visits));
 }
 
 void StageTimes::operator()(const std::string& stage) {

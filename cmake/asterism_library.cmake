@@ -18,7 +18,7 @@ if(ASTERISM_FUZZ)
 endif()
 
 # asterism_library(name HEADERS ... SOURCES ... LINKS ... PRIVATE_LINKS ...)
-# makes asterism::name from the current folder, with its install rule.
+# makes asterism::name from the current folder, with its install rule: a component of the package.
 function(asterism_library name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "HEADERS;SOURCES;LINKS;PRIVATE_LINKS")
   set(target asterism_${name})
@@ -34,7 +34,8 @@ function(asterism_library name)
     PUBLIC ${ARG_LINKS}
     PRIVATE ${ARG_PRIVATE_LINKS} $<BUILD_INTERFACE:asterism_warnings>
             $<BUILD_INTERFACE:asterism_sanitizers>)
-  install(TARGETS ${target} EXPORT asterism FILE_SET HEADERS
+  set_property(GLOBAL APPEND PROPERTY ASTERISM_LIBRARIES ${name})
+  install(TARGETS ${target} EXPORT ${target} FILE_SET HEADERS
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/asterism)
   target_include_directories(${target} INTERFACE
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/asterism>)

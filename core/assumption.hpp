@@ -31,7 +31,7 @@ inline std::string text_of(const Assumption& assumption) {
          ')';
 }
 
-/// The same of several, with commas between.
+/// Several assumptions as text, with commas between: "same(3, 9), differ(2, 5)"
 inline std::string text_of(std::span<const Assumption> assumptions) {
   std::string text;
   for (const Assumption& assumption : assumptions)

@@ -11,10 +11,13 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Unreadable or invalid input.  where: file and place in it (JSON pointer or line).
+/// Unreadable or invalid input: in which file, and where in it (JSON pointer or line).
 class InputError : public Error {
  public:
   using Error::Error;
+  /// @param where     file and place in it
+  /// @param found     what is there, as it reads after "found"
+  /// @param expected  what should be there instead
   InputError(const std::string& where, const std::string& found, const std::string& expected)
       : Error(where + ": found " + found + "; expected " + expected) {}
 };
@@ -23,6 +26,12 @@ class InputError : public Error {
 class SolverError : public Error {
  public:
   using Error::Error;
+};
+
+/// The solver has not the memory it needs.
+class SolverMemoryError : public SolverError {
+ public:
+  using SolverError::SolverError;
 };
 
 /// A plug-in cannot go on: which one, at what stamp or scan, and why.

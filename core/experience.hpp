@@ -7,7 +7,7 @@
 
 namespace asterism {
 
-/// What a robot of the basic SSH does from one dstate to the next.        [BMK10, §3.2] [DESIGN §2]
+/// What a robot of the basic SSH does from one dstate to the next.        [BMK10, §3.2] [theory §2]
 struct Action {
   enum class Kind { travel, turn_around, turn };
   Kind kind = Kind::travel;
@@ -16,6 +16,7 @@ struct Action {
   /// Reads "travel", "turn_around" or "turn:right".
   /// @throws std::invalid_argument "found ...; expected ..."
   static Action parse(std::string_view text);
+  /// The action as parse() reads it, "turn:right".
   std::string text() const;
 
   friend auto operator<=>(const Action&, const Action&) = default;
@@ -37,8 +38,9 @@ struct Experience {
 /// Whether a text may be a view: not empty, and nothing that an action is called.
 bool is_view(std::string_view text);
 
-/// @throws std::invalid_argument "/experience/3: found ...; expected ..." if a guarantee above does
-///         not hold
+/// Checks what readers guarantee of an experience.
+/// @throws std::invalid_argument "/experience/3: found ...; expected ..." if a guarantee does not
+///         hold
 void require_valid(const Experience& experience);
 
 }  // namespace asterism

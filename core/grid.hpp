@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -24,9 +25,11 @@ struct Grid {
   Pose2 frame_from_grid = {};  ///< the grid's lower left corner and its axes, in its frame
   std::vector<float> log_odds = {};
 
+  /// Whether a cell lies on the grid.
   bool contains(Cell cell) const {
     return cell.column >= 0 && cell.row >= 0 && cell.column < width && cell.row < height;
   }
+  /// Where the value of a cell stands in log_odds.   @pre contains(cell)
   std::size_t index(Cell cell) const {
     return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(cell.column);
@@ -43,7 +46,26 @@ struct Grid {
            Point2{(cell.column + 0.5) * resolution_m, (cell.row + 0.5) * resolution_m};
   }
 
+  /// Calls `visit` with the cells at most so many rows and columns from one, as far as the grid
+  /// goes: row by row from the bottom.
+  template <class Visit>
+  void for_each_round(Cell cell, int reach, Visit visit) const {
+    const int last_row = std::min(height - 1, cell.row + reach);
+    const int last_column = std::min(width - 1, cell.column + reach);
+    for (int row = std::max(0, cell.row - reach); row <= last_row; ++row)
+      for (int column = std::max(0, cell.column - reach); column <= last_column; ++column)
+        visit(Cell{column, row});
+  }
+
   friend bool operator==(const Grid&, const Grid&) = default;
 };
+
+/// Size, resolution and pose of a grid, without its cells.
+inline Grid frame_of(const Grid& grid) {
+  return {.width = grid.width,
+          .height = grid.height,
+          .resolution_m = grid.resolution_m,
+          .frame_from_grid = grid.frame_from_grid};
+}
 
 }  // namespace asterism

@@ -7,10 +7,12 @@ namespace asterism {
 /// Where a map's parts lie in a drawing. Units are arbitrary, about 1 between neighbouring places;
 /// x to the right, y up.
 struct MapDrawing {
+  /// A point of the drawing.
   struct Point {
     double x = 0;
     double y = 0;
   };
+  /// The ends of straight pieces, one after another.
   using Polyline = std::vector<Point>;
 
   std::vector<Point> places;       ///< one a place of the map

@@ -1,8 +1,32 @@
 #include "core/pose_covariance.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 namespace asterism {
+
+bool is_covariance(const std::array<double, 9>& c) {
+  constexpr double rounding = 1e-9;
+  const auto deviation = [&](std::size_t i) { return std::sqrt(c[4 * i]); };
+  for (const double number : c)
+    if (!std::isfinite(number)) return false;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(c[4 * i] >= 0)) return false;
+  // Each of the principal minors must not be negative.
+  std::array<double, 3> correlation{};  // of (0, 1), (0, 2), (1, 2)
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i + 1; j < 3; ++j) {
+      const double above = c[3 * i + j];
+      const double below = c[3 * j + i];
+      const double scale = deviation(i) * deviation(j);
+      if (std::abs(above - below) > rounding * scale) return false;
+      if (std::abs(above) > (1 + rounding) * scale) return false;
+      correlation[i + j - 1] = scale > 0 ? above / scale : 0;
+    }
+  }
+  const auto [r, s, t] = correlation;
+  return 1 + 2 * r * s * t - r * r - s * s - t * t >= -rounding;
+}
 
 SmallMotion seen_from(const Pose2& a_from_b, const SmallMotion& in_b) {
   const double c = std::cos(a_from_b.heading_rad);

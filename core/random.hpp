@@ -5,9 +5,8 @@
 
 namespace asterism {
 
-// The standard fixes the numbers of std::mt19937_64 but not those of its distributions; these are
-// the same everywhere.
-
+/// Where all random numbers come from: the standard fixes the numbers of std::mt19937_64, but not
+/// those of its distributions. The draws below are alike everywhere. One engine a thread.
 using RandomEngine = std::mt19937_64;
 
 /// Uniform in [0, 1).

@@ -15,6 +15,7 @@ struct LaserLayout {
   double max_range_m = 0;  ///< a range of this or more is no return: free so far, no obstacle seen
   Pose2 robot_from_laser = {};
 
+  /// Where a beam points: from the laser's +x, counter-clockwise.
   double beam_rad(std::size_t beam) const {
     return first_beam_rad + static_cast<double>(beam) * beam_step_rad;
   }

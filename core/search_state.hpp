@@ -4,15 +4,16 @@
 #include <optional>
 #include <vector>
 
+#include "core/id.hpp"
+
 namespace asterism {
 
-/// Where a search for minimal models stands: all it takes to go on. Arms are numbered as they come
-/// in the trace, over the stars of all visits.
+/// Where a search for minimal models stands: all it takes to go on.
 struct SearchState {
   /// The place of `arm` is that of `same`, arm on arm; or it differs from all settled before it.
   struct Decision {
-    std::uint32_t arm = 0;
-    std::optional<std::uint32_t> same = {};
+    ArmId arm;
+    std::optional<ArmId> same = {};
     friend bool operator==(const Decision&, const Decision&) = default;
   };
   /// What is yet to be tried: each of `next` after all of `decided`.
@@ -22,7 +23,7 @@ struct SearchState {
     friend bool operator==(const Branch&, const Branch&) = default;
   };
   /// For each visit, the arm by which it was entered, of the star of the place's first visit.
-  using Model = std::vector<std::uint32_t>;
+  using Model = std::vector<ArmId>;
 
   bool is_level_begun = false;     ///< else no branch has been looked at
   std::uint64_t limit = 0;         ///< what is preferred less is not looked at

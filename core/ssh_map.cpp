@@ -109,6 +109,11 @@ std::size_t SshMap::number_of_paths() const {
   return result;
 }
 
+std::string_view sign_of(SshMap::Direction direction) {
+  if (direction == SshMap::Direction::both) return "+-";
+  return direction == SshMap::Direction::forward ? "+" : "-";
+}
+
 SshMap make_ssh_map(const Experience& experience, std::span<const DStateId> dstates) {
   if (dstates.size() > experience.views.size())
     throw std::invalid_argument("more dstates than views");

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace asterism {
 
 using DStateId = Id<struct DStateTag>;  ///< dstates of a map, by first view
 
-/// One explanation of an experience of the basic SSH, written out.      [BMK10, §3.3] [DESIGN §5]
+/// One explanation of an experience of the basic SSH, written out.      [BMK10, §3.3] [theory §5]
 ///
 /// Places and paths are the least that the axioms force: a place is the dstates that turns join, a
 /// path those that travels and turn-arounds join, whichever way they face.
@@ -20,6 +21,7 @@ struct SshMap {
   /// Which way a dstate faces along its path. The first dstate of a path faces forward. Where a
   /// dstate turns out to face both ways, no axiom tells the directions of its path apart.
   enum class Direction { forward, backward, both };
+  /// Where a dstate is on the paths: on which, and facing which way.
   struct Along {
     PathId path;
     Direction direction;
@@ -32,11 +34,16 @@ struct SshMap {
   std::vector<Along> paths;       ///< of each dstate, numbered likewise
   std::vector<Segment> segments;  ///< each once, as first travelled, a known way back with it
 
+  /// How many places the dstates are at.
   std::size_t number_of_places() const;
+  /// How many paths the dstates face along.
   std::size_t number_of_paths() const;
 
   friend bool operator==(const SshMap&, const SshMap&) = default;
 };
+
+/// "+", "-", or "+-" for both.
+std::string_view sign_of(SshMap::Direction direction);
 
 /// Writes out what follows if these views were seen at these dstates. Explains the first
 /// dstates.size() views. Asks no axiom: what contradicts them is written out all the same.

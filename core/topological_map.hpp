@@ -28,8 +28,9 @@ struct Arrival {
   friend auto operator<=>(const Arrival&, const Arrival&) = default;
 };
 
-/// One explanation of a trace, written out: places, paths, segments.               [DESIGN §9]
+/// One explanation of a trace, written out: places, paths, segments.               [theory §9]
 struct TopologicalMap {
+  /// One place: its star as listed at its first visit.
   struct Place {
     Star star;
     VisitId first_visit;

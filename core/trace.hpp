@@ -6,24 +6,30 @@
 #include <string>
 #include <vector>
 
+#include "core/pose_covariance.hpp"
 #include "core/star.hpp"
 
 namespace asterism {
 
-/// Pose of the place reached in the frame of the place left.       [BMK10, §7.1] [DESIGN §2]
+/// Pose of the place reached in the frame of the place left.       [BMK10, §7.1] [theory §2]
 /// Its covariance is that of a small motion in the frame of the place reached: see PoseCovariance.
 struct Displacement {
-  double x_m = 0;                      ///< +x ahead
-  double y_m = 0;                      ///< +y left
-  double heading_rad = 0;              ///< counter-clockwise
-  std::array<double, 9> covariance{};  ///< row by row; m, m, rad
+  double x_m = 0;               ///< +x ahead
+  double y_m = 0;               ///< +y left
+  double heading_rad = 0;       ///< counter-clockwise
+  PoseCovariance covariance{};  ///< row by row; m, m, rad
+
+  /// The pose itself.
+  Pose2 left_from_reached() const { return {x_m, y_m, heading_rad}; }
 
   friend bool operator==(const Displacement&, const Displacement&) = default;
 };
 
-/// Whether nine numbers, row by row, are finite, symmetric and positive semi-definite, up to
-/// rounding (1e-9). Judged on the correlations, so that metres and radians of any size count alike.
-bool is_covariance(const std::array<double, 9>& numbers);
+/// The displacement with this pose and covariance.
+inline Displacement make_displacement(const Pose2& left_from_reached,
+                                      const PoseCovariance& covariance) {
+  return {left_from_reached.x_m, left_from_reached.y_m, left_from_reached.heading_rad, covariance};
+}
 
 /// A gateway as measured, in its visit's frame.
 struct MeasuredGateway {
@@ -33,10 +39,15 @@ struct MeasuredGateway {
   double heading_rad = 0;  ///< outward
   double width_m = 0;
 
+  /// Its middle, in the visit's frame.
+  Point2 middle() const { return {x_m, y_m}; }
+  /// Its frame: the origin in its middle, +x outward.
+  Pose2 visit_from_gateway() const { return {x_m, y_m, heading_rad}; }
+
   friend bool operator==(const MeasuredGateway&, const MeasuredGateway&) = default;
 };
 
-/// One stay at a place: the star seen, the arm entered by, the arm left by.        [DESIGN §2]
+/// One stay at a place: the star seen, the arm entered by, the arm left by.        [theory §2]
 /// The arm entered by leads *back*, so the robot arrived facing the opposite arm.
 struct Visit {
   Star star;
@@ -65,11 +76,12 @@ struct Trace {
   std::string extensions = "{}";  ///< the keys that start with x_, a JSON object
 };
 
-/// @throws std::invalid_argument "/visits/3/left_by: found ...; expected ..." if a guarantee above
-///         does not hold
+/// Checks what readers guarantee of a trace.
+/// @throws std::invalid_argument "/visits/3/left_by: found ...; expected ..." if a guarantee does
+///         not hold
 void require_valid(const Trace& trace);
 
-/// The same drive walked backwards: visits in reverse order, entered and left swapped. Measured
+/// A drive walked backwards: visits in reverse order, entered and left swapped. Measured
 /// extras are dropped, since they belong to the forward drive.
 Trace reversed(const Trace& trace);
 

@@ -2,7 +2,7 @@
 
 namespace asterism {
 
-/// An answer, never an error. Undecided (time, memory) refutes nothing.       [DESIGN §8]
+/// An answer, never an error. Undecided (time, memory) refutes nothing.       [theory §8]
 enum class Verdict { consistent, inconsistent, undecided };
 
 }  // namespace asterism

@@ -33,27 +33,28 @@ void ArmTable::append(const Visit& visit) {
     throw Error("trace: found more than " + std::to_string(max_visits) + " visits; expected fewer");
   if (arms_.size() + visit.star.size() > max_arms)
     throw Error("trace: found more than " + std::to_string(max_arms) + " arms; expected fewer");
-  const auto first_arm = static_cast<ArmIndex>(arms_.size());
-  const auto star_size = static_cast<ArmIndex>(visit.star.size());
-  for (ArmIndex i = 0; i < star_size; ++i) {
-    const auto number = view_numbers_.emplace(visit.star.view(i), view_numbers_.size()).first;
-    arms_.push_back({static_cast<ArmIndex>(k),
-                     first_arm + static_cast<ArmIndex>(visit.star.opposite(i)), number->second,
-                     first_arm + star_size, star_size, visit.star.has_gateway(i)});
+  const std::size_t first = arms_.size();
+  const std::size_t size = visit.star.size();
+  const auto small = [](std::size_t number) { return static_cast<std::uint32_t>(number); };
+  for (std::size_t i = 0; i < size; ++i) {
+    const ViewId view =
+        view_numbers_.emplace(visit.star.view(i), view_numbers_.size()).first->second;
+    arms_.push_back({VisitId(k), ArmId(first + visit.star.opposite(i)), view, small(first + size),
+                     small(size), visit.star.has_gateway(i)});
   }
-  const auto entered = first_arm + static_cast<ArmIndex>(visit.entered_by.value_or(0));
-  const auto first_gateway = static_cast<ArmIndex>(gateways_.size());
-  for (ArmIndex arm = first_arm; arm < first_arm + star_size; ++arm)
+  const ArmId entered(first + visit.entered_by.value_or(0));
+  const std::size_t first_gateway = gateways_.size();
+  for (const ArmId arm : IdRange(ArmId(first), ArmId(first + size)))
     if (has_gateway(arm)) gateways_.push_back(arm);
-  visits_.push_back({.first_arm = first_arm,
-                     .star_size = star_size,
+  visits_.push_back({.first_arm = ArmId(first),
+                     .star_size = small(size),
                      .entered = entered,
                      .seen = view(entered),
                      .left_steps = 0,
-                     .first_gateway = first_gateway,
-                     .gateways = static_cast<ArmIndex>(gateways_.size()) - first_gateway});
-  for (ArmIndex step = 1; step <= star_size; ++step)
-    if (const ArmIndex arm = clockwise(entered, step); has_gateway(arm))
+                     .first_gateway = small(first_gateway),
+                     .gateways = small(gateways_.size() - first_gateway)});
+  for (std::size_t step = 1; step <= size; ++step)
+    if (const ArmId arm = clockwise(entered, step); has_gateway(arm))
       gateways_after_entered_.push_back(arm);
   trace_.visits.push_back(visit);
   set_left_steps();
@@ -61,10 +62,11 @@ void ArmTable::append(const Visit& visit) {
 
 void ArmTable::keep_first(std::size_t visits) {
   if (visits >= this->visits()) return;
-  arms_.resize(visits_[visits].first_arm);
-  gateways_.resize(visits_[visits].first_gateway);
-  gateways_after_entered_.resize(visits_[visits].first_gateway);
-  visits_.resize(visits);
+  const VisitFacts& gone = visits_[VisitId(visits)];
+  gateways_.resize(gone.first_gateway, no_arm);
+  gateways_after_entered_.resize(gone.first_gateway, no_arm);
+  arms_.keep_first(gone.first_arm.index());
+  visits_.keep_first(visits);
   trace_.visits.erase(trace_.visits.begin() + static_cast<std::ptrdiff_t>(visits),
                       trace_.visits.end());
 }
@@ -81,34 +83,32 @@ void ArmTable::set_left_steps() {
   const Visit& visit = trace_.visits.back();
   if (!visit.left_by) return;
   const std::size_t size = visit.star.size();
-  visits_.back().left_steps =
-      static_cast<ArmIndex>((*visit.left_by + size - visit.entered_by.value_or(0)) % size);
+  visits_[VisitId(visits() - 1)].left_steps =
+      static_cast<std::uint32_t>((*visit.left_by + size - visit.entered_by.value_or(0)) % size);
 }
 
-std::vector<Arrival> ArmTable::arrivals(std::span<const ArmIndex> named) const {
+std::vector<Arrival> ArmTable::arrivals(std::span<const ArmId> named) const {
   std::vector<Arrival> result;
-  std::vector<std::size_t> place_of_visit;  // by first visit
   result.reserve(named.size());
-  place_of_visit.reserve(named.size());
   std::size_t places = 0;
-  for (std::size_t k = 0; k < named.size(); ++k) {
-    const ArmIndex first_visit = visit_of(named[k]);
-    place_of_visit.push_back(first_visit == k ? places++ : place_of_visit[first_visit]);
-    std::optional<std::size_t> entered = named[k] - first_arm(first_visit);
+  for (const ArmId arm : named) {
+    const VisitId first_visit = visit_of(arm);
+    const std::size_t k = result.size();
+    const PlaceId place =
+        first_visit.index() == k ? PlaceId(places++) : result[first_visit.index()].place;
+    std::optional<std::size_t> entered = position(arm);
     if (!trace_.visits[k].entered_by) entered.reset();
-    result.push_back({PlaceId(place_of_visit[k]), entered});
+    result.push_back({place, entered});
   }
   return result;
 }
 
-std::vector<ArmIndex> ArmTable::named(std::span<const Arrival> arrivals) const {
-  std::vector<ArmIndex> result;
-  std::vector<std::size_t> first_visit;  // of each place
-  for (std::size_t k = 0; k < arrivals.size(); ++k) {
-    const auto& [place, entered] = arrivals[k];
-    if (place.index() == first_visit.size()) first_visit.push_back(k);
-    result.push_back(first_arm(first_visit.at(place.index())) +
-                     static_cast<ArmIndex>(entered.value_or(0)));
+std::vector<ArmId> ArmTable::named(std::span<const Arrival> arrivals) const {
+  std::vector<ArmId> result;
+  std::vector<VisitId> first_visit;  // of each place
+  for (const auto& [place, entered] : arrivals) {
+    if (place.index() == first_visit.size()) first_visit.emplace_back(result.size());
+    result.push_back(arm(first_visit.at(place.index()), entered.value_or(0)));
   }
   return result;
 }

@@ -1,25 +1,28 @@
 #include "engine/facts.hpp"
 
+#include <algorithm>
+
+#include "axioms/smt2_text.hpp"
+
 namespace asterism {
 namespace {
 
-std::string view_name(ArmIndex view) { return "v" + std::to_string(view); }
+std::string view_name(ViewId view) { return "v" + std::to_string(view.index()); }
 
 }  // namespace
 
-std::string dstate_name(const ArmTable& table, ArmIndex arm) {
-  const ArmIndex visit = table.visit_of(arm);
-  return "d" + std::to_string(visit) + "_" + std::to_string(arm - table.first_arm(visit));
+std::string dstate_name(const ArmTable& table, ArmId arm) {
+  return "d" + std::to_string(table.visit_of(arm).index()) + "_" +
+         std::to_string(table.position(arm));
 }
 
 std::vector<Fact> general_facts() {
   return {{"is_turn", {"turn_around"}}, {"is_turn", {"turn_clockwise"}}};
 }
 
-std::vector<Fact> place_facts(const ArmTable& table, std::size_t k) {
+std::vector<Fact> place_facts(const ArmTable& table, VisitId k) {
   std::vector<Fact> facts;
-  const ArmIndex first = table.first_arm(k);
-  for (ArmIndex arm = first; arm < first + table.star_size(k); ++arm) {
+  for (const ArmId arm : table.arms(k)) {
     const std::string dstate = dstate_name(table, arm);
     facts.push_back({"sees", {dstate, view_name(table.view(arm))}});
     facts.push_back({"opposite", {dstate, dstate_name(table, table.opposite(arm))}});
@@ -29,24 +32,44 @@ std::vector<Fact> place_facts(const ArmTable& table, std::size_t k) {
   return facts;
 }
 
-std::vector<Fact> travel_facts(const ArmTable& table, std::size_t k, ArmIndex left,
-                               ArmIndex entered) {
+std::vector<Fact> travel_facts(const ArmTable& table, VisitId k, ArmId left, ArmId entered) {
   // The arm entered by leads back: the robot faces the opposite one.
   const std::string arrived = dstate_name(table, table.opposite(entered));
-  const ArmIndex faced = table.opposite(table.entered(k));
+  const ArmId faced = table.opposite(table.entered(k));
   return {{"sees", {arrived, view_name(table.view(faced))}},
           {"leads", {dstate_name(table, left), "travel", arrived}}};
 }
 
-std::vector<Fact> visit_facts(const ArmTable& table, std::span<const ArmIndex> named) {
-  const std::size_t k = named.size() - 1;
+std::vector<Fact> visit_facts(const ArmTable& table, std::span<const ArmId> named) {
+  const VisitId k(named.size() - 1);
   std::vector<Fact> facts;
-  if (table.visit_of(named[k]) == k) facts = place_facts(table, k);
-  if (k > 0) {
-    const auto travel = travel_facts(table, k, table.left(k - 1, named[k - 1]), named[k]);
+  if (table.visit_of(named.back()) == k) facts = place_facts(table, k);
+  if (k.index() > 0) {
+    const VisitId before = k.previous();
+    const ArmId left = table.left(before, named[before.index()]);
+    const auto travel = travel_facts(table, k, left, named.back());
     facts.insert(facts.end(), travel.begin(), travel.end());
   }
   return facts;
+}
+
+std::vector<Fact> map_facts(const ArmTable& table, std::span<const ArmId> named) {
+  std::vector<Fact> facts = general_facts();
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    const auto more = visit_facts(table, named.first(k + 1));
+    facts.insert(facts.end(), more.begin(), more.end());
+  }
+  return facts;
+}
+
+std::string smt2_text(const Trace& trace, std::span<const Arrival> hypothesis,
+                      const AxiomSet& axioms) {
+  const ArmTable table(trace, hypothesis.size());
+  std::string title = "Trace " + trace.name + ": visits at places";
+  for (const Arrival& arrival : hypothesis) title += " " + std::to_string(arrival.place.index());
+  std::ranges::replace_if(
+      title, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return smt2_text(axioms, map_facts(table, table.named(hypothesis)), title);
 }
 
 }  // namespace asterism

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "engine/certify.hpp"
-#include "engine/map_tree.hpp"
-#include "io/trace_file.hpp"
+#include "engine/proof/certify.hpp"
+#include "engine/tree/map_tree.hpp"
+#include "io/json/trace_file.hpp"
 
 using namespace asterism;
 
@@ -32,8 +32,7 @@ int main(int argc, char** argv) {
     std::cout << '\n';
     models.push_back(arrivals(map));
   }
-  const bool certified =
-      certify(trace, AxiomSet::shipped(), true, models, 60) == Certificate::shown;
+  const bool certified = certify(trace, tree.options().theory, models) == Certificate::shown;
   std::cout << (certified ? "the solver agrees that none is simpler\n" : "not certified\n");
   return EXIT_SUCCESS;
 }

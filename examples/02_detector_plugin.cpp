@@ -17,10 +17,10 @@ using namespace asterism;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double still_m = 0.05;                // a robot that halts moves less
-constexpr double away_m = 0.5;                  // one that has left a place has moved more
-constexpr double far_m = 3;                     // a wall so near is no way out
-constexpr double straight_rad = 30 * pi / 180;  // ways out that face each other are one path
+constexpr double still_m = 0.05;              // a robot that halts moves less
+constexpr double away_m = 0.5;                // one that has left a place has moved more
+constexpr double far_m = 3;                   // a wall so near is no way out
+constexpr double straight_rad = radians(30);  // ways out that face each other are one path
 constexpr std::size_t sectors = 72;
 
 /// A way out of a place, in the visit's frame.
@@ -195,9 +195,8 @@ class HaltDetector : public PlaceDetector {
     if (odom_from_left_) {
       const Pose2 moved = inverse(*odom_from_left_) * halt.odom_from_visit;
       const double slip_m2 = std::pow(0.05 * norm(moved.position()), 2);  // five per cent
-      const double slip_rad2 = std::pow(5 * pi / 180, 2);
-      visit.displacement = Displacement{
-          moved.x_m, moved.y_m, moved.heading_rad, {slip_m2, 0, 0, 0, slip_m2, 0, 0, 0, slip_rad2}};
+      const double slip_rad2 = std::pow(radians(5), 2);
+      visit.displacement = make_displacement(moved, diagonal(slip_m2, slip_rad2));
     }
     odom_from_left_ = halt.odom_from_visit;
     travel_.clear();

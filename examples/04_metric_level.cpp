@@ -6,8 +6,8 @@
 #include <iomanip>
 #include <iostream>
 
-#include "engine/map_tree.hpp"
-#include "io/trace_file.hpp"
+#include "engine/tree/map_tree.hpp"
+#include "io/json/trace_file.hpp"
 #include "metric/ranking.hpp"
 
 using namespace asterism;

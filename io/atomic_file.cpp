@@ -1,16 +1,17 @@
 #include "io/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "core/error.hpp"
-#include "io/text_file.hpp"
+#include "io/shown.hpp"
 
 namespace asterism {
 namespace {
@@ -87,6 +88,21 @@ void write_atomically(const std::string& file, const std::function<void(std::ost
 
 void write_atomically(const std::string& file, std::string_view content) {
   write_atomically(file, [content](std::ostream& out) { out << content; });
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw Error(folder.string() + ": found " + system_message(error.value()) +
+                "; expected a folder to write to");
+}
+
+void remove_from(const std::filesystem::path& folder, const std::string& pattern,
+                 std::size_t number) {
+  std::error_code error;
+  while (std::filesystem::remove(folder / fmt::format(fmt::runtime(pattern), number), error))
+    ++number;
 }
 
 }  // namespace asterism

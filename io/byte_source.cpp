@@ -9,11 +9,10 @@
 #include <cstring>
 #include <istream>
 #include <iterator>
-#include <optional>
 #include <string_view>
 #include <variant>
 
-#include "io/text_file.hpp"
+#include "io/shown.hpp"
 
 namespace asterism {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "core/error.hpp"
-#include "io/json_value.hpp"
+#include "io/shown.hpp"
 
 namespace asterism {
 namespace {
@@ -122,21 +122,6 @@ std::optional<LineWords> next_data_line(LineReader& reader) {
     if (!first.empty() && !first.starts_with('#')) return LineWords(*text, reader);
   }
   return std::nullopt;
-}
-
-std::string decimal(double value) {
-  std::array<char, 512> buffer{};  // a double has at most some 350 digits
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
-          .ptr;
-  return {buffer.data(), end};
-}
-
-void require_writable(const Pose2& pose, const std::string& what) {
-  if (!position_bounds_m.contain(pose.x_m) || !position_bounds_m.contain(pose.y_m) ||
-      !heading_bounds_rad.contain(pose.heading_rad))
-    throw std::invalid_argument(what +
-                                ": found a pose out of all bounds; expected metres and radians");
 }
 
 }  // namespace asterism

@@ -2,27 +2,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/pose2.hpp"
+#include "io/bounds.hpp"
 #include "io/line_reader.hpp"
 
 namespace asterism {
-
-/// What a number of a line may be: between two whole numbers, above 0, or any that is finite.
-struct Bounds {
-  double low = -std::numeric_limits<double>::max();
-  double high = std::numeric_limits<double>::max();
-
-  bool contain(double value) const { return value >= low && value <= high; }
-};
-inline constexpr Bounds above_0{std::numeric_limits<double>::min()};
-inline constexpr Bounds position_bounds_m{-1e7, 1e7};  ///< so that cells stay countable
-inline constexpr Bounds heading_bounds_rad{-1e6, 1e6};
 
 /// The words of one line of a text, taken from the left; asked for what each must be.
 ///
@@ -37,6 +26,7 @@ class LineWords {
   std::string_view next_word();
   /// A word, whatever it says.
   std::string_view word(const std::string& name);
+  /// A number in decimals, in its bounds.
   double number(const std::string& name, Bounds bounds = {});
   /// An integer, of things that could be listed in the line.
   std::size_t count(const std::string& name, std::size_t smallest);
@@ -53,7 +43,7 @@ class LineWords {
 
   /// A word found where another is expected; none is the end of the line.
   [[noreturn]] void refuse(std::string_view word, const std::string& expected) const;
-  /// The same of what the words say together.
+  /// Something that several words say together, where something else is expected.
   [[noreturn]] void complain(const std::string& found, const std::string& expected) const;
 
  private:
@@ -63,12 +53,5 @@ class LineWords {
 
 /// The next line that is neither blank nor a comment, which starts with #; nothing after the last.
 std::optional<LineWords> next_data_line(LineReader& reader);
-
-/// The shortest decimal, without exponent, that reads back as the same double.  @pre finite
-std::string decimal(double value);
-
-/// Throws std::invalid_argument "what: found ...; expected ..." unless LineWords::pose would read
-/// it.
-void require_writable(const Pose2& pose, const std::string& what);
 
 }  // namespace asterism

@@ -1,15 +1,13 @@
 #include "io/text_file.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <system_error>
 
 #include "core/error.hpp"
 #include "io/byte_source.hpp"
+#include "io/shown.hpp"
 
 namespace asterism {
 
@@ -57,12 +55,6 @@ std::string read_unpacked_file(const std::string& file, std::size_t max_bytes) {
   } catch (const CompressionError& error) {
     throw InputError(file, error.what(), error.expected);
   }
-}
-
-std::string system_message(int error) {
-  std::string message = std::generic_category().message(error);
-  message.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(message.front())));
-  return message;
 }
 
 }  // namespace asterism

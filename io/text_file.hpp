@@ -12,14 +12,13 @@ namespace asterism {
 ///         `max_bytes`
 std::string read_text_file(const std::string& file, std::size_t max_bytes);
 
-/// The same, unpacked if it is packed by gzip or xz; the bound holds for what is unpacked.
+/// The bytes of a file, unpacked if it is packed by gzip or xz; the bound holds for what is
+/// unpacked.
+/// @throws InputError as read_text_file, and where what is packed is damaged
 std::string read_unpacked_file(const std::string& file, std::size_t max_bytes);
 
 /// A file to read from.
 /// @throws InputError "file: found ...; expected ..." if it is a directory or cannot be opened
 std::unique_ptr<std::istream> opened_file(const std::string& file);
-
-/// What the system says of an error number (errno), as part of a message.
-std::string system_message(int error);
 
 }  // namespace asterism

@@ -5,36 +5,24 @@
 #include <array>
 #include <cmath>
 
+#include "core/squared.hpp"
 #include "metric/chi_squared.hpp"
 #include "metric/exponential.hpp"
+#include "metric/gauss_newton.hpp"
 #include "metric/wall_fit.hpp"
 
 namespace asterism {
 namespace {
 
-constexpr int kMostSteps = 10;
-constexpr double kDone = 1e-6;
-constexpr std::size_t kFewestWalls = 30;
+constexpr int most_steps = 10;
+constexpr double done_motion = 1e-6;
+constexpr std::size_t fewest_walls = 30;
 // Without a gateway in common a visit was somewhere at the place, facing anywhere.
-constexpr double kSomewhere_m = 2;
-constexpr double kAnywhere_rad = 1;
-
-using Matrix3 = Eigen::Matrix3d;
-using Vector3 = Eigen::Vector3d;
-
-// Gauss-Newton's equations of small motions in the visit's frame.
-struct Equations {
-  Matrix3 curvature = Matrix3::Zero();
-  Vector3 slope = Vector3::Zero();
-
-  void add(const Vector3& jacobian, double residual, double information) {
-    curvature += information * jacobian * jacobian.transpose();
-    slope -= information * residual * jacobian;
-  }
-};
+constexpr double somewhere_m = 2;
+constexpr double anywhere_rad = 1;
 
 // Moving the visit by a small motion in its frame moves a point of it along `direction` so much.
-Vector3 along(const Pose2& place_from_visit, Point2 in_visit, Point2 direction) {
+Eigen::Vector3d along(const Pose2& place_from_visit, Point2 in_visit, Point2 direction) {
   const Point2 in_visit_frame = Pose2{0, 0, -place_from_visit.heading_rad} * direction;
   return {in_visit_frame.x_m, in_visit_frame.y_m, cross(in_visit, in_visit_frame)};
 }
@@ -47,25 +35,11 @@ struct GatewayError {
 
 GatewayError error(const Pose2& place_from_visit, const MeasuredGateway& first,
                    const MeasuredGateway& second) {
-  const Point2 off =
-      place_from_visit * Point2{second.x_m, second.y_m} - Point2{first.x_m, first.y_m};
+  const Point2 off = place_from_visit * second.middle() - first.middle();
   const Point2 out = unit_vector(first.heading_rad);
   return {cross(out, off), dot(out, off),
           wrapped(place_from_visit.heading_rad + second.heading_rad - first.heading_rad)};
 }
-
-PoseCovariance numbers(const Matrix3& matrix) {
-  PoseCovariance result;
-  for (std::size_t i = 0; i < 9; ++i)
-    result[i] = matrix(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
-  return result;
-}
-
-Matrix3 matrix(const PoseCovariance& numbers) {
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data());
-}
-
-double square(double x) { return x * x; }
 
 }  // namespace
 
@@ -114,8 +88,7 @@ Alignment PlaceAlignments::align(const std::vector<GatewayPair>& pairs, VisitId 
                                  VisitId visit) {
   Alignment result{visit, PlaceId(first.index())};
   if (pairs.empty()) {
-    const double somewhere = square(kSomewhere_m);
-    result.covariance = {somewhere, 0, 0, 0, somewhere, 0, 0, 0, square(kAnywhere_rad)};
+    result.covariance = diagonal(squared(somewhere_m), squared(anywhere_rad));
     return result;
   }
   // To begin with: turned as the gateways are on average, and moved.
@@ -124,34 +97,32 @@ Alignment PlaceAlignments::align(const std::vector<GatewayPair>& pairs, VisitId 
     turned = turned + unit_vector(one.heading_rad - other.heading_rad);
   Pose2 pose{0, 0, direction(turned)};
   Point2 moved = {};
-  for (const auto& [one, other] : pairs)
-    moved = moved + Point2{one.x_m, one.y_m} - pose * Point2{other.x_m, other.y_m};
+  for (const auto& [one, other] : pairs) moved = moved + one.middle() - pose * other.middle();
   moved = (1.0 / static_cast<double>(pairs.size())) * moved;
   pose = {moved.x_m, moved.y_m, pose.heading_rad};
 
   Matrix3 curvature;
-  for (int i = 0; i < kMostSteps; ++i) {
-    Equations equations;
+  for (int i = 0; i < most_steps; ++i) {
+    GaussNewton equations;
     for (const auto& [one, other] : pairs) {
-      const Point2 at{other.x_m, other.y_m};
+      const Point2 at = other.middle();
       const Point2 out = unit_vector(one.heading_rad);
       const GatewayError off = error(pose, one, other);
-      equations.add(along(pose, at, {-out.y_m, out.x_m}), off.aside_m,
-                    1 / square(options_.aside_m));
-      equations.add(along(pose, at, out), off.ahead_m, 1 / square(options_.ahead_m));
-      equations.add({0, 0, 1}, off.turned_rad, 1 / square(options_.heading_rad));
+      equations.add(along(pose, at, left_of(out)), off.aside_m, 1 / squared(options_.aside_m));
+      equations.add(along(pose, at, out), off.ahead_m, 1 / squared(options_.ahead_m));
+      equations.add({0, 0, 1}, off.turned_rad, 1 / squared(options_.heading_rad));
     }
     curvature = equations.curvature;
-    const Vector3 motion = curvature.ldlt().solve(equations.slope);
+    const Eigen::Vector3d motion = curvature.ldlt().solve(equations.slope);
     pose = pose * exponential({motion[0], motion[1], motion[2]});
-    if (motion.norm() < kDone) break;
+    if (motion.norm() < done_motion) break;
   }
 
   const PlaceWalls* const of_first = walls(first);
   const PlaceWalls* const of_visit = walls(visit);
   const bool has_walls = of_first != nullptr && of_visit != nullptr &&
-                         of_first->pieces().size() >= kFewestWalls &&
-                         of_visit->pieces().size() >= kFewestWalls;
+                         of_first->pieces().size() >= fewest_walls &&
+                         of_visit->pieces().size() >= fewest_walls;
   if (has_walls) {
     const WallFit fit = fit_walls(*of_first, *of_visit, pose, numbers(curvature));
     pose = fit.first_from_second;
@@ -161,15 +132,15 @@ Alignment PlaceAlignments::align(const std::vector<GatewayPair>& pairs, VisitId 
   result.place_from_visit = pose;
   Matrix3 covariance = curvature.inverse();
   if (has_walls)
-    covariance.diagonal() +=
-        Vector3(square(options_.shared_m), square(options_.shared_m), square(options_.shared_rad));
+    covariance.diagonal() += Eigen::Vector3d(squared(options_.shared_m), squared(options_.shared_m),
+                                             squared(options_.shared_rad));
   result.covariance = numbers(covariance);
   Misfit& misfit = result.misfit;
   for (const auto& [one, other] : pairs) {
     const GatewayError off = error(pose, one, other);
-    misfit.chi_squared += square(off.aside_m / options_.aside_m) +
-                          square(off.ahead_m / options_.ahead_m) +
-                          square(off.turned_rad / options_.heading_rad);
+    misfit.chi_squared += squared(off.aside_m / options_.aside_m) +
+                          squared(off.ahead_m / options_.ahead_m) +
+                          squared(off.turned_rad / options_.heading_rad);
   }
   misfit.degrees_of_freedom = 3 * pairs.size() - (has_walls ? 0 : 3);
   misfit.tail_probability = chi_squared_tail(misfit.chi_squared, misfit.degrees_of_freedom);

@@ -11,12 +11,13 @@
 
 namespace asterism {
 
+/// How well gateways and walls tell where a visit was.
 struct AlignmentOptions {
   double radius_m = 12;  ///< walls farther from where a visit was entered do not count
 
   // Deviations of a gateway seen at two visits: at corners, where they are least certain.
   double aside_m = 0.3;  ///< of its middle, across the way
-  double ahead_m = 1.5;  ///< ... along it: where a corridor narrows is hard to say
+  double ahead_m = 1.5;  ///< of its middle, along the way: where a corridor narrows is hard to say
   double heading_rad = 0.15;
 
   // Deviations that all walls seen at two visits share.
@@ -25,15 +26,24 @@ struct AlignmentOptions {
 };
 
 /// L_i for a hypothesis' returns: where a visit was in the frame of the place's first.
-///                                                           [BMK10, §7.3.1] [DESIGN §12]
+///                                                           [BMK10, §7.3.1] [theory §12]
 /// Never searched blindly: it begins with the gateways that the hypothesis says are the same, and
 /// is refined on the walls of both place maps. Each asked for is worked out once.
+/// For one thread at a time: it keeps what it has worked out.
 class PlaceAlignments {
  public:
+  /// @param trace       must outlive this
   /// @param place_maps  of each visit in its frame, as far as there are any
   PlaceAlignments(const Trace& trace, std::vector<std::optional<Grid>> place_maps,
                   const AlignmentOptions& options = {});
 
+  /// Where a visit was in the frame of the first visit to its place.           [BMK10, §7.3.1]
+  ///
+  ///   place_from_visit = argmin_L Σ_g ‖(g_first ⊖ L·g_visit) / σ‖² + Σ_w ρ(nᵀ(L·p - q))²
+  ///
+  /// over the gateways g that the hypothesis says are one, and the bits of wall w that both maps
+  /// show. Its covariance is the inverse of the curvature there, in the visit's frame.
+  ///
   /// @param entered  the arm of the first visit's star by which the later one was entered, by the
   ///                 hypothesis
   /// @return its `place` is the first visit's number: only the caller knows the map

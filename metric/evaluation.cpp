@@ -48,17 +48,11 @@ Spread spread_of(std::span<const double> errors) {
   return spread;
 }
 
-Point2 mean_of(std::span<const Point2> points) {
-  Point2 sum;
-  for (const Point2 point : points) sum = sum + point;
-  return 1 / static_cast<double>(points.size()) * sum;
-}
-
 }  // namespace
 
 Pose2 rigid_fit(std::span<const Point2> points, std::span<const Point2> others) {
-  const Point2 middle = mean_of(points);
-  const Point2 other_middle = mean_of(others);
+  const Point2 middle = mean(points);
+  const Point2 other_middle = mean(others);
   // Turned by h, Σ |R(h) p - q|² is least where cos(h) Σ p·q + sin(h) Σ p×q is largest.
   double along = 0;
   double across = 0;

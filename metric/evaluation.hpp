@@ -14,6 +14,10 @@ inline constexpr double same_stamp_s = 1e-6;
 
 /// The rigid motion, without scale, that brings points nearest to others: the least sum of squared
 /// distances, in closed form. Turns by nothing where that says nothing, as for one point.
+///
+///   fit = argmin_T Σ_i ‖T p_i - q_i‖²,   p: points, q: others
+///
+/// @return  others_from_points
 /// @pre  as many points as others, at least one
 Pose2 rigid_fit(std::span<const Point2> points, std::span<const Point2> others);
 
@@ -31,7 +35,8 @@ struct RelationErrors {
   Spread rotation_rad = {};
 };
 
-/// The pose of a stamp is the first one that has it, in the order of the trajectory.
+/// Errors of a trajectory against surveyed motions. The pose of a stamp is the first one that has
+/// it, in the order of the trajectory.
 /// @return  nothing if no relation has a pose at both of its stamps
 std::optional<RelationErrors> relation_errors(const Trajectory& trajectory,
                                               std::span<const Relation> relations);
@@ -44,7 +49,10 @@ struct ReferenceErrors {
   Pose2 reference_from_layout = {};  ///< the fit
 };
 
-/// Of poses with one stamp, in either, the first counts.
+/// Errors of a trajectory against another of the same drive, in a frame of its own. Of poses with
+/// one stamp, in either, the first counts.
+///
+/// @param reference  its poses are read as reference_from_robot
 /// @return  nothing if no stamp is in both
 std::optional<ReferenceErrors> reference_errors(const Trajectory& trajectory,
                                                 const Trajectory& reference);

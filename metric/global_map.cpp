@@ -12,10 +12,10 @@ namespace asterism {
 namespace {
 
 // Rays are traced in whole parts of a cell, so that which cells they cross is exact.
-constexpr int kPartBits = 20;
-constexpr std::int64_t kParts = std::int64_t{1} << kPartBits;
+constexpr int part_bits = 20;
+constexpr std::int64_t parts_a_cell = std::int64_t{1} << part_bits;
 // ... and two cells' distance in parts, times the parts of a cell, is below 2^63.
-constexpr double kMostOnASide = 1 << 20;
+constexpr double most_cells_a_side = 1 << 20;
 
 // Where a beam ends, in the layout's frame.
 struct Ray {
@@ -100,23 +100,9 @@ void cast(const Scan& scan, const Pose2& layout_from_robot, const GlobalMapOptio
 class Drawing {
  public:
   Drawing(Point2 low, Point2 high, const GlobalMapOptions& options) : options_(options) {
-    const double cell_m = options.resolution_m;
-    const auto cells = [&](double m) { return std::floor(m / cell_m); };
-    const double margin = cells(options.margin_m) + 1;  // rounding leads no ray off the grid
-    const Point2 corner{cells(low.x_m) - margin, cells(low.y_m) - margin};
-    const double width = cells(high.x_m) + margin + 1 - corner.x_m;
-    const double height = cells(high.y_m) + margin + 1 - corner.y_m;
-    if (!(width * height <= static_cast<double>(options.max_cells)) ||
-        !(std::max(width, height) <= kMostOnASide)) {
-      refuse(std::to_string(width * cell_m) + " m by " + std::to_string(height * cell_m) +
-                 " m in cells of " + std::to_string(cell_m) + " m",
-             "at most " + std::to_string(options.max_cells) + " cells");
-    }
-    grid_.width = static_cast<int>(width);
-    grid_.height = static_cast<int>(height);
-    grid_.resolution_m = cell_m;
-    grid_.frame_from_grid = {corner.x_m * cell_m, corner.y_m * cell_m, 0};
-    tallies_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (grid_.resolution_m = options.resolution_m; !fit(low, high); grid_.resolution_m *= 2)
+      if (!std::isfinite(grid_.resolution_m)) refuse("no bounds", "finite ranges");
+    tallies_.resize(static_cast<std::size_t>(grid_.width) * static_cast<std::size_t>(grid_.height));
   }
 
   void draw(Point2 laser, std::span<const Ray> rays) {
@@ -139,6 +125,22 @@ class Drawing {
   }
 
  private:
+  // Lays the grid round all between two corners, if cells of its resolution are not too many.
+  bool fit(Point2 low, Point2 high) {
+    const auto cells = [&](double m) { return std::floor(m / grid_.resolution_m); };
+    const double margin = cells(options_.margin_m) + 1;  // rounding leads no ray off the grid
+    const Point2 corner{cells(low.x_m) - margin, cells(low.y_m) - margin};
+    const double width = cells(high.x_m) + margin + 1 - corner.x_m;
+    const double height = cells(high.y_m) + margin + 1 - corner.y_m;
+    if (!(width * height <= static_cast<double>(options_.max_cells)) ||
+        !(std::max(width, height) <= most_cells_a_side))
+      return false;
+    grid_.width = static_cast<int>(width);
+    grid_.height = static_cast<int>(height);
+    grid_.frame_from_grid = {corner.x_m * grid_.resolution_m, corner.y_m * grid_.resolution_m, 0};
+    return true;
+  }
+
   // A point, in parts of a cell from the grid's corner.
   struct Parts {
     std::int64_t x = 0;
@@ -146,12 +148,12 @@ class Drawing {
   };
 
   Parts parts(Point2 in_layout) const {
-    const double parts_per_m = static_cast<double>(kParts) / grid_.resolution_m;
+    const double parts_per_m = static_cast<double>(parts_a_cell) / grid_.resolution_m;
     return {static_cast<std::int64_t>((in_layout.x_m - grid_.frame_from_grid.x_m) * parts_per_m),
             static_cast<std::int64_t>((in_layout.y_m - grid_.frame_from_grid.y_m) * parts_per_m)};
   }
   std::size_t index(Parts at) const {
-    return static_cast<std::size_t>((at.y >> kPartBits) * grid_.width + (at.x >> kPartBits));
+    return static_cast<std::size_t>((at.y >> part_bits) * grid_.width + (at.x >> part_bits));
   }
 
   void count_hit(Tally& tally) {
@@ -168,16 +170,16 @@ class Drawing {
     const std::int64_t up = to.y - from.y;
     const std::int64_t dx = std::abs(right);
     const std::int64_t dy = std::abs(up);
-    const std::int64_t x_in_cell = from.x & (kParts - 1);
-    const std::int64_t y_in_cell = from.y & (kParts - 1);
-    const std::int64_t to_side = right < 0 ? x_in_cell : kParts - x_in_cell;
-    const std::int64_t to_end = up < 0 ? y_in_cell : kParts - y_in_cell;
+    const std::int64_t x_in_cell = from.x & (parts_a_cell - 1);
+    const std::int64_t y_in_cell = from.y & (parts_a_cell - 1);
+    const std::int64_t to_side = right < 0 ? x_in_cell : parts_a_cell - x_in_cell;
+    const std::int64_t to_end = up < 0 ? y_in_cell : parts_a_cell - y_in_cell;
     const std::int64_t to_column = right < 0 ? -1 : 1;
     const std::int64_t to_row = up < 0 ? -grid_.width : grid_.width;
-    const std::int64_t cells = std::abs((to.x >> kPartBits) - (from.x >> kPartBits)) +
-                               std::abs((to.y >> kPartBits) - (from.y >> kPartBits));
-    const std::int64_t column_lead = dy << kPartBits;
-    const std::int64_t row_lead = dx << kPartBits;
+    const std::int64_t cells = std::abs((to.x >> part_bits) - (from.x >> part_bits)) +
+                               std::abs((to.y >> part_bits) - (from.y >> part_bits));
+    const std::int64_t column_lead = dy << part_bits;
+    const std::int64_t row_lead = dx << part_bits;
     std::int64_t lead = dx * to_end - dy * to_side;
     Tally* cell = &tallies_[index(from)];
     for (std::int64_t i = 0; i < cells; ++i) {

@@ -11,13 +11,14 @@
 #include <queue>
 #include <stdexcept>
 
+#include "metric/layout_covariance.hpp"
 #include "metric/layout_residual.hpp"
 
 namespace asterism {
 namespace {
 
 // Up to here a dense solver is faster.
-constexpr std::size_t kDensePlaces = 8;
+constexpr std::size_t most_dense_places = 8;
 
 using Parameters = std::array<double, 3>;  // x_m, y_m, heading_rad of one place
 
@@ -74,7 +75,7 @@ void place_others(std::vector<std::optional<Pose2>>& poses,
     done[place] = true;
     for (const std::size_t k : at_place[place]) {
       const auto& [from, to, d] = displacements[k];
-      const Pose2 moved{d.x_m, d.y_m, d.heading_rad};
+      const Pose2 moved = d.left_from_reached();
       const bool forwards = from.index() == place;
       const std::size_t next = forwards ? to.index() : from.index();
       if (done[next]) continue;
@@ -100,7 +101,7 @@ void place_others(std::vector<std::optional<Pose2>>& poses,
 ceres::Solver::Options solver_options(std::size_t places) {
   ceres::Solver::Options options;
   options.linear_solver_type =
-      places <= kDensePlaces ? ceres::DENSE_NORMAL_CHOLESKY : ceres::SPARSE_NORMAL_CHOLESKY;
+      places <= most_dense_places ? ceres::DENSE_NORMAL_CHOLESKY : ceres::SPARSE_NORMAL_CHOLESKY;
   // Of those that Ceres knows, this one never makes threads of its own.
   options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   // Begins as good as undamped: damped from the start, the slow bends of a large map take twice as
@@ -164,7 +165,7 @@ Layout lay_out(std::size_t places, std::span<const PlaceDisplacement> displaceme
   for (const auto& [x_m, y_m, heading_rad] : parameters)
     layout.layout_from_place.push_back({x_m, y_m, wrapped(heading_rad)});
   if (options.with_covariances)
-    layout.covariances = place_covariances(layout.layout_from_place, displacements);
+    layout.covariances = LayoutCovariance(layout.layout_from_place, displacements).of_places();
   return layout;
 }
 

@@ -6,6 +6,7 @@
 
 namespace asterism {
 
+/// Where a layout begins, and what of it is asked for.
 struct LayoutOptions {
   std::span<const Pose2> start = {};  ///< poses to begin with, of the first places at least
   bool with_covariances = true;
@@ -20,7 +21,9 @@ struct LayoutOptions {
 /// frame, by the curvature at the optimum.
 ///
 /// @param places         at least one
-/// @param displacements  λ_k, Σ_k: Σ_k in the frame of the place reached
+/// @param displacements  λ_k, Σ_k: place j in the frame of place i, m, m, rad; Σ_k in the frame of
+///                       the place reached
+/// @return  n poses, layout_from_place, the first the identity; headings in (-π, π]
 /// @throws std::invalid_argument if they do not join all places, one names no place, joins a place
 ///         to itself, is not finite, or its covariance is not positive definite; or if they differ
 ///         so much in size that numbers overflow

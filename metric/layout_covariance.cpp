@@ -1,5 +1,6 @@
+#include "metric/layout_covariance.hpp"
+
 #include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <stdexcept>
 
@@ -175,23 +176,49 @@ class SparseInverse {
 
 }  // namespace
 
-std::vector<PoseCovariance> place_covariances(std::span<const Pose2> layout_from_place,
-                                              std::span<const PlaceDisplacement> displacements) {
-  std::vector<PoseCovariance> result(layout_from_place.size(), PoseCovariance{});
-  if (layout_from_place.size() < 2) return result;
-  const std::vector<Index> turn = turns(layout_from_place.size(), displacements);
-  const Factor factor(curvature(layout_from_place, displacements, turn));
-  if (factor.info() != Eigen::Success)
+LayoutCovariance::LayoutCovariance(std::span<const Pose2> layout_from_place,
+                                   std::span<const PlaceDisplacement> displacements)
+    : layout_from_place_(layout_from_place.begin(), layout_from_place.end()),
+      turns_(turns(layout_from_place.size(), displacements)) {
+  if (layout_from_place.size() < 2) return;
+  factor_.compute(curvature(layout_from_place, displacements, turns_));
+  if (factor_.info() != Eigen::Success)
     throw std::invalid_argument("the displacements do not fix all places");
-  const SparseInverse inverse(factor);
+}
+
+std::vector<PoseCovariance> LayoutCovariance::of_places() const {
+  std::vector<PoseCovariance> result(layout_from_place_.size(), PoseCovariance{});
+  if (result.size() < 2) return result;
+  const SparseInverse inverse(factor_);
   for (std::size_t place = 1; place < result.size(); ++place) {
-    const Point2 facing = unit_vector(layout_from_place[place].heading_rad);
+    const Point2 facing = unit_vector(layout_from_place_[place].heading_rad);
     LayoutResidual::Matrix3 motion_by_coordinates;
     motion_by_coordinates << facing.x_m, facing.y_m, 0, -facing.y_m, facing.x_m, 0, 0, 0, 1;
     Eigen::Map<LayoutResidual::Matrix3>{result[place].data()} =
-        motion_by_coordinates * inverse.block(turn[place]) * motion_by_coordinates.transpose();
+        motion_by_coordinates * inverse.block(turns_[place]) * motion_by_coordinates.transpose();
   }
   return result;
+}
+
+// S = A H⁻¹ Aᵀ, where A is the slope by the places' coordinates and H the curvature.
+PlaneCovariance LayoutCovariance::seen_from(const PlacePoint& one, const PlacePoint& other) const {
+  if (layout_from_place_.size() < 2) return {};
+  MatrixXd slope = MatrixXd::Zero(factor_.rows(), 2);  // Aᵀ
+  const auto add = [&](PlaceId place, double sign, Point2 lever) {
+    if (place.index() == 0) return;
+    const Index first = 3 * turns_[place.index()];
+    slope(first, 0) += sign;
+    slope(first + 1, 1) += sign;
+    slope(first + 2, 0) -= sign * lever.y_m;
+    slope(first + 2, 1) += sign * lever.x_m;
+  };
+  const Pose2& from = layout_from_place_[one.place.index()];
+  const Pose2& to = layout_from_place_[other.place.index()];
+  const Point2 seen = to * other.point;
+  add(one.place, -1, seen - from.position());  // all turns with who looks
+  add(other.place, 1, seen - to.position());
+  const Eigen::Matrix2d covariance = slope.transpose() * factor_.solve(slope);
+  return {covariance(0, 0), (covariance(0, 1) + covariance(1, 0)) / 2, covariance(1, 1)};
 }
 
 }  // namespace asterism

@@ -5,19 +5,18 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "metric/exponential.hpp"
+
 namespace asterism {
 namespace {
 
-// Below this turn the series is exact to rounding, and the quotients are not.
-constexpr double kSmallTurn_rad = 1e-4;
-
 // Log(E) = (c x + t/2 y, c y - t/2 x, t) where E = (x, y, t) and c = (t/2) / tan(t/2).
 struct Cotangent {
-  explicit Cotangent(double turn_rad) {
-    const bool small = std::abs(turn_rad) < kSmallTurn_rad;
-    value = small ? 1 - turn_rad * turn_rad / 12 : turn_rad / 2 / std::tan(turn_rad / 2);
-    slope = small ? -turn_rad / 6 : (value - value * value - turn_rad * turn_rad / 4) / turn_rad;
-  }
+  explicit Cotangent(double turn_rad)
+      : value(half_turn_cotangent(turn_rad)),
+        slope(std::abs(turn_rad) < small_turn_rad
+                  ? -turn_rad / 6
+                  : (value - value * value - turn_rad * turn_rad / 4) / turn_rad) {}
   double value;
   double slope;  ///< by t
 };
@@ -27,16 +26,10 @@ double nearly_wrapped(double angle_rad) {
   return std::abs(angle_rad) < std::numbers::pi ? angle_rad : wrapped(angle_rad);
 }
 
-// What the inverse of a motion that faces there does to a vector.
-Point2 turned_back(Point2 facing, Point2 vector) {
-  return {dot(facing, vector), cross(facing, vector)};
-}
-
 }  // namespace
 
 LayoutResidual::LayoutResidual(const Displacement& displacement)
-    : i_from_j_{displacement.x_m, displacement.y_m, displacement.heading_rad},
-      facing_(unit_vector(displacement.heading_rad)) {
+    : i_from_j_(displacement.left_from_reached()), facing_(unit_vector(displacement.heading_rad)) {
   const Eigen::LLT<Eigen::Matrix3d> root(Eigen::Map<const Matrix3>(displacement.covariance.data()));
   if (root.info() != Eigen::Success || root.rcond() < 1e-14)
     throw std::invalid_argument("a displacement's covariance is not positive definite");

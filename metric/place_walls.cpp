@@ -5,29 +5,30 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/plane_covariance.hpp"
+
 namespace asterism {
 namespace {
 
-constexpr float kOccupied = 0.5F;  // log-odds
-constexpr float kKnown = 0.3F;
-constexpr int kRound = 3;  // cells round one that tell its wall's direction
-constexpr double kFewest = 3;
-constexpr double kLine = 4;  // times as long as wide is a line
-constexpr int kNone = -1;
+constexpr float wall_log_odds = 0.5F;  // log-odds
+constexpr float known_log_odds = 0.3F;
+constexpr int round_cells = 3;  // cells round one that tell its wall's direction
+constexpr double fewest_points = 3;
+constexpr double line_ratio = 4;  // times as long as wide is a line
+constexpr int no_piece = -1;
 
 }  // namespace
 
 PlaceWalls::PlaceWalls(const Grid& place_map, double radius_m)
-    : frame_(place_map),
+    : frame_(frame_of(place_map)),
       facing_(unit_vector(place_map.frame_from_grid.heading_rad)),
       known_(place_map.log_odds.size()),
-      nearest_(place_map.log_odds.size(), kNone) {
-  frame_.log_odds.clear();
+      nearest_(place_map.log_odds.size(), no_piece) {
   for (std::size_t i = 0; i < known_.size(); ++i)
-    known_[i] = std::abs(place_map.log_odds[i]) > kKnown;
+    known_[i] = std::abs(place_map.log_odds[i]) > known_log_odds;
   for (Cell cell; cell.row < place_map.height; ++cell.row) {
     for (cell.column = 0; cell.column < place_map.width; ++cell.column) {
-      if (place_map.log_odds[place_map.index(cell)] > kOccupied &&
+      if (place_map.log_odds[place_map.index(cell)] > wall_log_odds &&
           norm(place_map.centre(cell)) <= radius_m)
         add_piece(place_map, cell);
     }
@@ -38,42 +39,24 @@ PlaceWalls::PlaceWalls(const Grid& place_map, double radius_m)
 
 // The line through the occupied cells round one, at the point nearest to it.
 void PlaceWalls::add_piece(const Grid& place_map, Cell cell) {
-  double points = 0;
-  Point2 sum = {};
-  double xx = 0;
-  double xy = 0;
-  double yy = 0;
-  for (int row = std::max(0, cell.row - kRound);
-       row <= std::min(place_map.height - 1, cell.row + kRound); ++row) {
-    for (int column = std::max(0, cell.column - kRound);
-         column <= std::min(place_map.width - 1, cell.column + kRound); ++column) {
-      if (place_map.log_odds[place_map.index({column, row})] <= kOccupied) continue;
-      const Point2 away{(column - cell.column) * frame_.resolution_m,
-                        (row - cell.row) * frame_.resolution_m};
-      ++points;
-      sum = sum + away;
-      xx += away.x_m * away.x_m;
-      xy += away.x_m * away.y_m;
-      yy += away.y_m * away.y_m;
-    }
-  }
-  if (points < kFewest) return;
-  const Point2 mean = (1 / points) * sum;
-  xx = xx / points - mean.x_m * mean.x_m;
-  xy = xy / points - mean.x_m * mean.y_m;
-  yy = yy / points - mean.y_m * mean.y_m;
-  const double half = std::hypot((xx - yy) / 2, xy);
+  PointSpread round;
+  place_map.for_each_round(cell, round_cells, [&](Cell other) {
+    if (place_map.log_odds[place_map.index(other)] <= wall_log_odds) return;
+    round.add({(other.column - cell.column) * frame_.resolution_m,
+               (other.row - cell.row) * frame_.resolution_m});
+  });
+  if (round.count() < fewest_points) return;
+  const PlaneCovariance spread = round.covariance();
+  const double half = spread.half();
   const double cell_spread = frame_.resolution_m * frame_.resolution_m / 12;
-  if ((xx + yy) / 2 + half < kLine * ((xx + yy) / 2 - half + cell_spread)) return;
-  const Point2 along = unit_vector(0.5 * std::atan2(2 * xy, xx - yy));
-  const Point2 across{-along.y_m, along.x_m};
+  if (spread.middle() + half < line_ratio * (spread.middle() - half + cell_spread)) return;
+  const Point2 across = left_of(spread.along());
   const Point2 normal = Pose2{0, 0, frame_.frame_from_grid.heading_rad} * across;
-  pieces_.push_back({frame_.centre(cell) + dot(mean, across) * normal, normal});
+  pieces_.push_back({frame_.centre(cell) + dot(round.mean(), across) * normal, normal});
 }
 
 Point2 PlaceWalls::in_grid(Point2 in_place) const {
-  const Point2 off = in_place - frame_.frame_from_grid.position();
-  return {dot(facing_, off), cross(facing_, off)};
+  return turned_back(facing_, in_place - frame_.frame_from_grid.position());
 }
 
 std::optional<std::size_t> PlaceWalls::cell_at(Point2 in_place) const {
@@ -108,7 +91,7 @@ void PlaceWalls::spread(std::size_t piece, std::vector<double>& squares_m2) {
 
 const WallPiece* PlaceWalls::nearest(Point2 in_place) const {
   const auto cell = cell_at(in_place);
-  if (!cell || nearest_[*cell] == kNone) return nullptr;
+  if (!cell || nearest_[*cell] == no_piece) return nullptr;
   return &pieces_[static_cast<std::size_t>(nearest_[*cell])];
 }
 

@@ -15,6 +15,7 @@ struct WallPiece {
 };
 
 /// The walls of a place map, in its visit's frame, and which of them is near to a point.
+/// A value: threads may read one side by side.
 class PlaceWalls {
  public:
   /// Farther than this from every wall, a point is near to none.
@@ -23,6 +24,7 @@ class PlaceWalls {
   /// @param radius_m  walls farther from the frame's origin are left out
   PlaceWalls(const Grid& place_map, double radius_m);
 
+  /// All pieces, row by row of the map.
   const std::vector<WallPiece>& pieces() const noexcept { return pieces_; }
   /// The piece of wall nearest to a point; null where none is within reach.
   const WallPiece* nearest(Point2 in_place) const;
@@ -39,7 +41,7 @@ class PlaceWalls {
   Point2 facing_;  ///< along the grid's rows, in the place's frame
   std::vector<bool> known_;
   std::vector<WallPiece> pieces_;
-  std::vector<int> nearest_;  ///< by cell: piece, or kNone
+  std::vector<int> nearest_;  ///< by cell: piece, or no_piece
 };
 
 }  // namespace asterism

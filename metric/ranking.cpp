@@ -8,11 +8,10 @@
 #include "metric/chi_squared.hpp"
 #include "metric/layout.hpp"
 #include "metric/layout_residual.hpp"
+#include "metric/places_apart.hpp"
 
 namespace asterism {
 namespace {
-
-Pose2 pose(const Displacement& d) { return {d.x_m, d.y_m, d.heading_rad}; }
 
 PoseCovariance sum(const PoseCovariance& a, const PoseCovariance& b) {
   PoseCovariance result;
@@ -29,11 +28,11 @@ struct InPlace {
 // λ = L_{i-1} ⊕ d ⊕ (⊖ L_i), all errors told in the frame of the place reached. [BMK10, §7.3.1]
 Displacement between_places(const InPlace& left, const Displacement& travelled,
                             const InPlace& reached) {
-  const Pose2 moved = pose(travelled);
+  const Pose2 moved = travelled.left_from_reached();
   const Pose2 whole = left.place_from_visit * moved * inverse(reached.place_from_visit);
   const PoseCovariance at_visit = sum(sum(travelled.covariance, reached.covariance),
                                       seen_from(inverse(moved), left.covariance));
-  return {whole.x_m, whole.y_m, whole.heading_rad, seen_from(reached.place_from_visit, at_visit)};
+  return make_displacement(whole, seen_from(reached.place_from_visit, at_visit));
 }
 
 std::size_t places_of(std::span<const Arrival> arrivals) {
@@ -56,29 +55,32 @@ class Ranking::Search {
     double misfit = 0;  ///< of layout and alignments together
   };
 
-  Search(const Trace& trace, AlignmentSource alignments, double least_tail)
-      : trace_(trace), alignments_(std::move(alignments)), least_tail_(least_tail) {}
+  Search(const Trace& trace, AlignmentSource alignments, const RankingOptions& options)
+      : trace_(trace), alignments_(std::move(alignments)), least_tail_(options.least_tail) {
+    for (const Visit& visit : trace.visits)
+      neighbourhoods_.push_back(options.on_one_floor ? neighbourhood_of(visit) : std::nullopt);
+  }
 
-  /// Adds the best hypotheses, plausible or all others, to `found`, which is sorted and never
-  /// longer than `most`.
-  void search(const Hypotheses& hypotheses, bool plausible, std::size_t most,
+  /// Adds the best hypotheses of so much doubt to `found`, which is sorted and never longer than
+  /// `most`.
+  void search(const Hypotheses& hypotheses, Doubt doubt, std::size_t most,
               std::vector<Found>& found) {
     if (most == 0) return;
     levels_.clear();
     displacements_.clear();
     hypotheses([&](std::span<const Arrival> arrivals) {
       const double worst = found.size() < most ? infinity : found.back().misfit;
-      if (!follow(arrivals, plausible, worst)) return;
+      if (!follow(arrivals, doubt != Doubt::misfit, worst)) return;
       const Level& last = levels_.back();
       const double misfit = last.layout_misfit + last.alignment_misfit;
-      if (is_plausible(last) != plausible || misfit >= worst) return;
+      if (misfit >= worst || doubt_of(last) != doubt) return;
       const auto after = std::ranges::upper_bound(found, misfit, {}, &Found::misfit);
       found.insert(after, {{arrivals.begin(), arrivals.end()}, last.layout_from_place, misfit});
       if (found.size() > most) found.pop_back();
     });
   }
 
-  /// The same in full.
+  /// A map found, written out with its layout and what speaks against it.
   RankedMap ranked(const Found& found) {
     levels_.clear();
     displacements_.clear();
@@ -99,7 +101,9 @@ class Ranking::Search {
     const std::size_t degrees = freedom(found.arrivals.size(), result.map.places.size());
     result.misfit = {last.layout_misfit, degrees, chi_squared_tail(last.layout_misfit, degrees)};
     result.log_likelihood = -(last.layout_misfit + last.alignment_misfit) / 2;
-    result.is_plausible = is_plausible(last);
+    last.layout_from_place = result.layout.layout_from_place;
+    result.shared_spots = spots_of(last);
+    result.is_plausible = doubt_of(last) == Doubt::none;
     return result;
   }
 
@@ -118,9 +122,17 @@ class Ranking::Search {
   };
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  bool is_plausible(const Level& level) {
-    return level.alignments_are_plausible &&
-           level.layout_misfit <= bound(levels_.size(), level.layout_from_place.size());
+  Doubt doubt_of(const Level& level) {
+    if (!level.alignments_are_plausible ||
+        level.layout_misfit > bound(levels_.size(), level.layout_from_place.size()))
+      return Doubt::misfit;
+    return spots_of(level).empty() ? Doubt::none : Doubt::shared_spot;
+  }
+
+  std::vector<SharedSpot> spots_of(const Level& level) const {
+    std::vector<std::optional<Neighbourhood>> of_places;
+    for (const std::size_t first : level.first_visit) of_places.push_back(neighbourhoods_[first]);
+    return shared_spots(level.layout_from_place, displacements_, of_places, least_tail_);
   }
 
   // The most that χ² may be, with so many degrees of freedom.
@@ -133,18 +145,18 @@ class Ranking::Search {
 
   // Lays out a hypothesis, from where it leaves the last one. Gives up as soon as it is known to be
   // of no use.
-  bool follow(std::span<const Arrival> arrivals, bool plausible, double worst) {
+  bool follow(std::span<const Arrival> arrivals, bool has_to_fit, double worst) {
     std::size_t same = 0;
     while (same < std::min(levels_.size(), arrivals.size()) &&
            levels_[same].arrival == arrivals[same])
       ++same;
     levels_.resize(same, Level{arrivals.front()});
     displacements_.resize(same > 0 ? same - 1 : 0, {PlaceId(0), PlaceId(0), {}});
-    const double most = plausible ? bound(arrivals.size(), places_of(arrivals)) : infinity;
+    const double most = has_to_fit ? bound(arrivals.size(), places_of(arrivals)) : infinity;
     const auto is_useless = [&] {
       if (levels_.empty()) return false;
       const Level& last = levels_.back();
-      return (plausible && !last.alignments_are_plausible) || last.layout_misfit > most ||
+      return (has_to_fit && !last.alignments_are_plausible) || last.layout_misfit > most ||
              last.layout_misfit + last.alignment_misfit >= worst;
     };
     while (!is_useless()) {
@@ -183,7 +195,7 @@ class Ranking::Search {
       displacements_.push_back({before.arrival.place, arrival.place, moved});
       if (is_new)
         next.layout_from_place.push_back(before.layout_from_place[before.arrival.place.index()] *
-                                         pose(moved));
+                                         moved.left_from_reached());
     } else {
       next.layout_from_place.push_back({});
     }
@@ -205,6 +217,7 @@ class Ranking::Search {
   const Trace& trace_;
   AlignmentSource alignments_;
   double least_tail_;
+  std::vector<std::optional<Neighbourhood>> neighbourhoods_;  ///< of each visit
   std::vector<Level> levels_;  ///< of the hypothesis laid out last, visit by visit
   std::vector<PlaceDisplacement> displacements_;
   std::map<std::size_t, double> bounds_;  ///< by degrees of freedom
@@ -212,8 +225,7 @@ class Ranking::Search {
 };
 
 Ranking::Ranking(const Trace& trace, AlignmentSource alignments, const RankingOptions& options)
-    : options_(options),
-      search_(std::make_unique<Search>(trace, std::move(alignments), options.least_tail)) {
+    : options_(options), search_(std::make_unique<Search>(trace, std::move(alignments), options)) {
   for (std::size_t k = 1; k < trace.visits.size(); ++k) {
     if (!trace.visits[k].displacement) throw std::invalid_argument("a visit has no displacement");
     LayoutResidual{*trace.visits[k].displacement};
@@ -223,11 +235,7 @@ Ranking::Ranking(const Trace& trace, AlignmentSource alignments, const RankingOp
 Ranking::~Ranking() = default;
 
 void Ranking::add(Hypotheses preferred_next) {
-  if (!is_settled()) {
-    std::vector<Search::Found> found;
-    search_->search(preferred_next, true, options_.models - plausible_.size(), found);
-    for (const Search::Found& hypothesis : found) plausible_.push_back(search_->ranked(hypothesis));
-  }
+  add_best(preferred_next, Doubt::none, plausible_);
   classes_.push_back(std::move(preferred_next));
 }
 
@@ -235,25 +243,24 @@ bool Ranking::is_settled() const { return plausible_.size() >= options_.models; 
 
 std::vector<RankedMap> Ranking::best() {
   std::vector<RankedMap> result = plausible_;
-  for (const Hypotheses& hypotheses : classes_) {
-    if (result.size() >= options_.models) break;
-    std::vector<Search::Found> found;
-    search_->search(hypotheses, false, options_.models - result.size(), found);
-    for (const Search::Found& hypothesis : found) result.push_back(search_->ranked(hypothesis));
-  }
+  for (const Doubt doubt : {Doubt::shared_spot, Doubt::misfit})
+    for (const Hypotheses& hypotheses : classes_) add_best(hypotheses, doubt, result);
   return result;
 }
 
 std::vector<RankedMap> Ranking::most_preferred() {
   std::vector<RankedMap> result;
   if (classes_.empty()) return result;
-  for (const bool plausible : {true, false}) {
-    std::vector<Search::Found> found;
-    search_->search(classes_.front(), plausible, options_.models - result.size(), found);
-    for (const Search::Found& hypothesis : found) result.push_back(search_->ranked(hypothesis));
-    if (result.size() == options_.models) break;
-  }
+  for (const Doubt doubt : {Doubt::none, Doubt::shared_spot, Doubt::misfit})
+    add_best(classes_.front(), doubt, result);
   return result;
+}
+
+void Ranking::add_best(const Hypotheses& hypotheses, Doubt doubt, std::vector<RankedMap>& ranked) {
+  if (ranked.size() >= options_.models) return;
+  std::vector<Search::Found> found;
+  search_->search(hypotheses, doubt, options_.models - ranked.size(), found);
+  for (const Search::Found& hypothesis : found) ranked.push_back(search_->ranked(hypothesis));
 }
 
 std::size_t Ranking::layouts() const { return search_->layouts(); }

@@ -16,22 +16,28 @@ namespace asterism {
 /// visit's star.
 using AlignmentSource = std::function<Alignment(VisitId first, VisitId visit, std::size_t entered)>;
 
+/// How many maps are ranked, and what is plausible.
 struct RankingOptions {
   std::size_t models = 5;    ///< ranked; the others are only known to come after them
   double least_tail = 1e-3;  ///< of χ²: what is rarer than that by chance is implausible
+  bool on_one_floor = true;  ///< so that no two places are on one spot
 };
 
 /// Ranks the hypotheses that explain a trace: first those whose layout and alignments are
-/// plausible, among these the preferred, ties by log-likelihood; then the implausible ones alike.
-/// None is dropped: what is not reported ranks below what is.                              [DESIGN
-/// §12]
+/// plausible and whose places lie apart, among these the preferred, ties by log-likelihood; then,
+/// alike, those where only two places share a spot; then the others. None is dropped: what is not
+/// reported ranks below what is.
+///                                                                                    [theory §12]
 ///
 /// The hypotheses of one preference come together, in the order of the tree: then those that agree
 /// on the first visits share the layout of these, and what misfits them already is not laid out any
 /// further, since a sum of squares only grows. All of one preference have as many places, hence as
 /// many degrees of freedom, so that the bound on χ² is the same for all.
+/// For one thread at a time: it keeps the layouts it has solved for.
 class Ranking {
  public:
+  /// @param trace       must outlive this
+  /// @param alignments  called for returns as they are met; likewise one thread at a time
   /// @throws std::invalid_argument if a visit but the first has no displacement, or one whose
   ///         covariance is not positive definite
   Ranking(const Trace& trace, AlignmentSource alignments, const RankingOptions& options = {});
@@ -57,6 +63,14 @@ class Ranking {
 
  private:
   class Search;
+  /// What speaks against a hypothesis; they are ranked in this order.
+  enum class Doubt {
+    none,         ///< it is plausible
+    shared_spot,  ///< all measures fit, but two places lie on one spot
+    misfit        ///< layout or alignments do not fit
+  };
+
+  void add_best(const Hypotheses& hypotheses, Doubt doubt, std::vector<RankedMap>& ranked);
 
   RankingOptions options_;
   std::unique_ptr<Search> search_;

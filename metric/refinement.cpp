@@ -6,40 +6,34 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/squared.hpp"
 #include "metric/chi_squared.hpp"
 #include "metric/global_map.hpp"
 #include "metric/layout.hpp"
 #include "metric/layout_residual.hpp"
+#include "metric/matrix3.hpp"
 #include "metric/wall_fit.hpp"
 
 namespace asterism {
 namespace {
 
-constexpr std::array kReaches_m{1.0, 0.5};  // how far off the start may be, by turns
-constexpr double kStart_m = 0.5;            // deviation of the start
-constexpr double kStart_rad = 0.1;
-constexpr double kLoose_m = 5;  // where walls leave a direction open, a fit says no more than this
-constexpr double kLoose_rad = 1;
-constexpr std::size_t kFewestWalls = 100;
-constexpr double kContradiction = 1e-3;  // fits whose χ² is rarer than that are left out
-constexpr int kMostRounds = 10;
-
-double square(double x) { return x * x; }
-
-PoseCovariance diagonal(double of_position, double of_heading) {
-  return {of_position, 0, 0, 0, of_position, 0, 0, 0, of_heading};
-}
+constexpr std::array reaches_m{1.0, 0.5};  // how far off the start may be, by turns
+constexpr double start_m = 0.5;            // deviation of the start
+constexpr double start_rad = 0.1;
+constexpr double loose_m = 5;  // where walls leave a direction open, a fit says no more than this
+constexpr double loose_rad = 1;
+constexpr std::size_t fewest_walls = 100;
+constexpr double contradiction_tail = 1e-3;  // fits whose χ² is rarer than that are left out
+constexpr int most_rounds = 10;
 
 PoseCovariance covariance(const WallFit& fit, const RefinementOptions& options) {
-  using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  RowMajor3 information = Eigen::Map<const RowMajor3>(fit.information.data());
+  RowMajor3 information = matrix(fit.information);
   information.diagonal() +=
-      Eigen::Vector3d(1 / square(kLoose_m), 1 / square(kLoose_m), 1 / square(kLoose_rad));
+      Eigen::Vector3d(1 / squared(loose_m), 1 / squared(loose_m), 1 / squared(loose_rad));
   const RowMajor3 inverse = information.inverse();
-  PoseCovariance result;
-  Eigen::Map<RowMajor3>{result.data()} = (inverse + inverse.transpose()) / 2;
-  for (const std::size_t i : {0U, 4U}) result[i] += square(options.shared_m);
-  result[8] += square(options.shared_rad);
+  PoseCovariance result = numbers((inverse + inverse.transpose()) / 2);
+  for (const std::size_t i : {0U, 4U}) result[i] += squared(options.shared_m);
+  result[8] += squared(options.shared_rad);
   return result;
 }
 
@@ -105,16 +99,15 @@ std::vector<Refinement::Fit> Refinement::fits(std::span<const Pose2> poses, doub
     std::ranges::sort(near);
     near.resize(std::min(near.size(), options_.neighbours));
     for (const auto& [away_m, j] : near) {
-      if (std::min(walls(i).pieces().size(), walls(j).pieces().size()) < kFewestWalls) continue;
+      if (std::min(walls(i).pieces().size(), walls(j).pieces().size()) < fewest_walls) continue;
       const Pose2 start = inverse(poses[j]) * poses[i];
       const WallFit fit =
           fit_walls(walls(j), walls(i), start,
-                    diagonal(1 / square(kStart_m), 1 / square(kStart_rad)), {.reach_m = reach_m});
+                    diagonal(1 / squared(start_m), 1 / squared(start_rad)), {.reach_m = reach_m});
       const Pose2 moved = inverse(start) * fit.first_from_second;
       if (fit.matched_walls < options_.least_matched || norm(moved.position()) > reach_m) continue;
-      const Pose2& at = fit.first_from_second;
-      result.push_back(
-          {{PlaceId(j), PlaceId(i), {at.x_m, at.y_m, at.heading_rad, covariance(fit, options_)}}});
+      result.push_back({{PlaceId(j), PlaceId(i),
+                         make_displacement(fit.first_from_second, covariance(fit, options_))}});
     }
   }
   return result;
@@ -128,16 +121,16 @@ std::vector<Pose2> Refinement::solve(std::span<const Pose2> start, std::vector<F
     const Pose2 moved = inverse(driven_[before].map_from_robot) * driven_[after].map_from_robot;
     const double way_m = way_m_[after] - way_m_[before];
     const double turned_rad = turned_rad_[after] - turned_rad_[before];
-    way.push_back({PlaceId(i - 1),
-                   PlaceId(i),
-                   {moved.x_m, moved.y_m, moved.heading_rad,
-                    diagonal(square(options_.any_m) + way_m * square(options_.per_m),
-                             square(options_.any_rad) + way_m * square(options_.per_m_rad) +
-                                 turned_rad * square(options_.per_rad_rad))}});
+    way.push_back(
+        {PlaceId(i - 1), PlaceId(i),
+         make_displacement(
+             moved, diagonal(squared(options_.any_m) + way_m * squared(options_.per_m),
+                             squared(options_.any_rad) + way_m * squared(options_.per_m_rad) +
+                                 turned_rad * squared(options_.per_rad_rad)))});
   }
   std::vector<Pose2> poses(start.begin(), start.end());
-  const double most = chi_squared_of_tail(kContradiction, 3);
-  for (int round = 0; round < kMostRounds; ++round) {
+  const double most = chi_squared_of_tail(contradiction_tail, 3);
+  for (int round = 0; round < most_rounds; ++round) {
     std::vector<PlaceDisplacement> all = way;
     for (const Fit& fit : fits) all.push_back(fit.displacement);
     poses =
@@ -153,7 +146,7 @@ Trajectory Refinement::operator()(const Trajectory& start) {
     throw std::invalid_argument("the trajectory has not a pose a scan");
   std::vector<Pose2> poses;
   for (const std::size_t scan : maps_) poses.push_back(start[scan].layout_from_robot);
-  for (const double reach_m : kReaches_m) {
+  for (const double reach_m : reaches_m) {
     std::vector<Fit> found = fits(poses, reach_m);
     if (found.empty()) return start;
     poses = solve(poses, std::move(found));

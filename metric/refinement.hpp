@@ -11,13 +11,14 @@
 
 namespace asterism {
 
+/// Which local maps are fitted to each other, and how much the way driven yields to them.
 struct RefinementOptions {
   double every_m = 3;          ///< driven from one local map to the next
   double reach_m = 4;          ///< a local map is drawn by scans from so far before to so far after
-  double range_m = 12;         ///< ... and by returns no farther than this
-  double cell_m = 0.1;         ///< ... in cells of this size
+  double range_m = 12;         ///< it is drawn by returns no farther than this
+  double cell_m = 0.1;         ///< it is drawn in cells of this size
   double near_m = 3;           ///< maps no farther apart, that share no scan, are fitted
-  std::size_t neighbours = 6;  ///< ... of one map at most so many, the nearest
+  std::size_t neighbours = 6;  ///< at most so many are fitted to one map, the nearest
   double least_matched = 0.6;  ///< share of the walls that must match
 
   // Deviations of the way driven between two maps: of any, and a root of a metre, or of a radian.
@@ -37,6 +38,7 @@ struct RefinementOptions {
 /// them, and the way driven yields to all fits together. Fits that contradict the others are left
 /// out.
 ///                                                           [BMK10, §7.3.4] [LM97]
+/// For one thread at a time: it keeps the local maps it has drawn.
 class Refinement {
  public:
   /// @param driven  one pose a scan; both outlive this
@@ -44,6 +46,8 @@ class Refinement {
   Refinement(std::span<const Scan> scans, std::span<const LocalPose> driven,
              const RefinementOptions& options = {});
 
+  /// The trajectory that all fits and the way driven agree on best.
+  ///
   /// @param start  a pose a pose driven, off by less than PlaceWalls::reach_m where the robot came
   ///               by again
   /// @return  the start refined; the same where the robot never came by again. The pose at the
@@ -61,7 +65,7 @@ class Refinement {
   std::span<const LocalPose> driven_;
   RefinementOptions options_;
   std::vector<double> way_m_;       ///< driven up to each scan
-  std::vector<double> turned_rad_;  ///< ... and turned
+  std::vector<double> turned_rad_;  ///< turned up to each scan
   std::vector<std::size_t> maps_;   ///< the scan in the middle of each local map
   std::vector<std::optional<PlaceWalls>> walls_;
 };

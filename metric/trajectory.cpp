@@ -26,9 +26,9 @@ namespace asterism {
 namespace {
 
 // A turn counts as so much way. Anything from 0.1 m to 2 m did as well.
-constexpr double kTurn_m_per_rad = 0.5;
+constexpr double turn_m_per_rad = 0.5;
 // ... and a scan that stands still as hardly any, so that a robot that never moved has a way too.
-constexpr double kStill_m = 1e-9;
+constexpr double still_m = 1e-9;
 
 void require_anchors(std::span<const Anchor> anchors, std::size_t scans) {
   const auto found = [](const std::string& what, const std::string& expected) {
@@ -55,10 +55,10 @@ Progress progress_along(std::span<const LocalPose> travel) {
   Progress progress{std::vector<double>(travel.size()), std::vector<double>(travel.size())};
   for (std::size_t i = 1; i < travel.size(); ++i) {
     const Pose2 step = inverse(travel[i - 1].map_from_robot) * travel[i].map_from_robot;
-    const double driven_m = norm(step.position()) + kStill_m;
+    const double driven_m = norm(step.position()) + still_m;
     progress.driven[i] = progress.driven[i - 1] + driven_m;
     progress.turned[i] =
-        progress.turned[i - 1] + driven_m + kTurn_m_per_rad * std::abs(step.heading_rad);
+        progress.turned[i - 1] + driven_m + turn_m_per_rad * std::abs(step.heading_rad);
   }
   for (std::vector<double>* const part : {&progress.driven, &progress.turned}) {
     const double whole = part->back();

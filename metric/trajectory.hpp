@@ -20,7 +20,7 @@ struct Anchor {
 };
 
 /// H(x): the whole way driven, fitted to the anchors; one pose a local pose, in their order.
-///                                                                    [BMK10, §7.3.3] [DESIGN §12]
+///                                                                    [BMK10, §7.3.3] [theory §12]
 ///
 /// The result is exact at the anchors. Before the first and after the last the way is moved
 /// rigidly with it. Each travel between two anchors is moved rigidly to the first, then bent and
@@ -29,6 +29,9 @@ struct Anchor {
 /// spread in proportion to the way. So a travel driven backwards has the same poses, and no step is
 /// lengthened by more than the offset.
 ///
+/// @param driven   map_from_robot at each scan, the map drifting
+/// @param anchors  layout_from_robot at some scans
+/// @return  layout_from_robot at each scan
 /// @pre  at least one anchor, scans ascending and among the local poses
 /// @throws std::invalid_argument otherwise
 Trajectory fit_trajectory(std::span<const LocalPose> driven, std::span<const Anchor> anchors);

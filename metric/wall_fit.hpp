@@ -13,9 +13,10 @@ struct WallFit {
   double matched_walls = 0;  ///< share of the walls that either map knows of and the other has too
 };
 
+/// How well a bit of wall is known, and where to look for it.
 struct WallFitOptions {
-  double wall_m =
-      0.15;  ///< deviation of a bit of wall seen twice, its neighbours sharing much of it
+  /// Deviation of a bit of wall seen twice, its neighbours sharing much of it.
+  double wall_m = 0.15;
   double reach_m = 1.0;  ///< to begin with, how far apart the same wall may be in both
 };
 
@@ -24,6 +25,7 @@ struct WallFitOptions {
 ///
 ///   pose* = argmin ‖Log(start⁻¹ pose)‖² + Σ ρ(nᵀ(pose · p - q))²                 [BMK10, §7.3.1]
 ///
+/// @param start        first_from_second, m, m, rad
 /// @param information  of the start, in the second frame, row by row; positive definite
 WallFit fit_walls(const PlaceWalls& first, const PlaceWalls& second, const Pose2& start,
                   const PoseCovariance& information, const WallFitOptions& options = {});

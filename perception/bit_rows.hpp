@@ -11,41 +11,50 @@
 namespace asterism {
 
 /// A picture whose cells are set or not, row by row, 64 cells in a word: the lowest bit is the
-/// westernmost. No cell outside the picture is ever set.
+/// westernmost. No cell outside the picture is ever set. Threads may read one that none changes.
 class BitRows {
  public:
+  /// 64 cells side by side.
   using Word = std::uint64_t;
 
   BitRows() = default;
+  /// A picture without a set cell.
   BitRows(int width, int height);
 
-  int width() const noexcept { return width_; }
-  int height() const noexcept { return height_; }
-  int words() const noexcept { return words_; }  ///< of a row
+  int width() const noexcept { return width_; }    ///< columns
+  int height() const noexcept { return height_; }  ///< rows
+  int words() const noexcept { return words_; }    ///< of a row
 
+  /// Whether a cell lies in the picture.
   bool contains(Cell cell) const {
     return cell.column >= 0 && cell.row >= 0 && cell.column < width_ && cell.row < height_;
   }
+  /// Whether a cell is set; none outside the picture is.
   bool has(Cell cell) const {
     return contains(cell) && (word(cell.row, cell.column / 64) >> cell.column % 64 & 1U) != 0;
   }
+  /// @pre contains(cell)
   void set(Cell cell) { word(cell.row, cell.column / 64) |= Word{1} << cell.column % 64; }
+  /// @pre contains(cell)
   void clear(Cell cell) { word(cell.row, cell.column / 64) &= ~(Word{1} << cell.column % 64); }
   /// Sets the cells of a row from `first` up to and without `past`.
   void set_run(int row, int first, int past);
 
-  /// Rows -1 to height() and words -1 to words() may be read: round the picture nothing is set.
+  /// A word of a row. Rows -1 to height() and words -1 to words() may be read: round the picture
+  /// nothing is set.
   Word word(int row, int i) const { return bits_[index(row, i)]; }
+  /// A word of a row, to write to.   @pre it lies in the picture
   Word& word(int row, int i) { return bits_[index(row, i)]; }
-  /// Of each cell of a word, its western and its eastern neighbour.
+  /// Of each cell of a word, its western neighbour.
   Word west_of(int row, int i) const { return word(row, i) << 1U | word(row, i - 1) >> 63U; }
+  /// Of each cell of a word, its eastern neighbour.
   Word east_of(int row, int i) const { return word(row, i) >> 1U | word(row, i + 1) << 63U; }
   /// The cells of a word that lie in the picture.
   Word inside(int i) const {
     return i == words_ - 1 && width_ % 64 != 0 ? (Word{1} << width_ % 64) - 1 : ~Word{0};
   }
 
-  /// Each set cell, row by row from the bottom.
+  /// Calls `visit` with each set cell, row by row from the bottom.
   template <typename Visit>
   void for_each(Visit visit) const {
     for (int row = 0; row < height_; ++row) {
@@ -71,7 +80,7 @@ class BitRows {
 };
 
 /// The connected pieces of a picture, numbered from 0 in the order of their first cells, row by
-/// row.
+/// row. A value: threads may read one side by side.
 class Pieces {
  public:
   enum class Touch { sides, corners };  ///< 4-connected or 8-connected
@@ -84,8 +93,10 @@ class Pieces {
     std::size_t piece = 0;
   };
 
+  /// Finds the pieces; the picture is not kept.
   Pieces(const BitRows& picture, Touch touch);
 
+  /// How many pieces there are.
   std::size_t count() const noexcept { return count_; }
   const std::vector<Run>& runs() const noexcept { return runs_; }  ///< row by row
   /// The piece of a cell; nothing where it is not set.

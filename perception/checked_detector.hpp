@@ -7,7 +7,7 @@
 
 namespace asterism {
 
-/// The same detector, stopped at the first visit that breaks one of the laws of
+/// A detector that is another one, stopped at the first visit that breaks one of the laws of
 /// perception/detector_laws.hpp: then observe and finish throw PluginError
 /// "title: visit 3: found ...; expected ...".
 ///

@@ -8,15 +8,20 @@
 
 namespace asterism {
 
-/// An open file of this process; -1 is none.
+/// An open file of this process, closed with this; -1 is none. For one thread at a time.
 class Descriptor {
  public:
+  /// Owns an open file from now on.
   explicit Descriptor(int number = -1) : number_(number) {}
+  /// Leaves none behind.
   Descriptor(Descriptor&& other) noexcept;
+  /// Swaps the two, so that the other closes what was held here.
   Descriptor& operator=(Descriptor&& other) noexcept;
   ~Descriptor() { close(); }
 
+  /// What the system calls it.
   int number() const noexcept { return number_; }
+  /// Closes it, if any; there is none afterwards.
   void close() noexcept;
 
  private:
@@ -24,9 +29,10 @@ class Descriptor {
 };
 
 /// A command of the shell whose input and output are ours; it keeps our error stream. Let go of, it
-/// and all it started are killed.
+/// and all it started are killed. For one thread at a time.
 class ChildProcess {
  public:
+  /// Seconds.
   using Duration = std::chrono::duration<double>;
 
   /// @throws std::system_error if it cannot be started
@@ -35,6 +41,7 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();
 
+  /// What one can do now without waiting.
   struct Ready {
     bool to_read = false;
     bool to_write = false;
@@ -56,9 +63,9 @@ class ChildProcess {
   std::optional<std::string> ending(Duration at_most) const;
 
  private:
-  Descriptor input_;   // we write to it
-  Descriptor output_;  // we read from it
-  int process_ = -1;   // its number
+  Descriptor input_;   ///< we write to it
+  Descriptor output_;  ///< we read from it
+  int process_ = -1;   ///< its number
 };
 
 }  // namespace asterism

@@ -17,7 +17,7 @@ constexpr std::size_t max_waiting = 100'000;
 
 class CommandDetector : public PlaceDetector {
  public:
-  CommandDetector(const DetectorCommand& command, std::string title, ScanWriter scan_line,
+  CommandDetector(const DetectorProgram& command, std::string title, ScanWriter scan_line,
                   VisitReader read_visit_line)
       : title_(std::move(title)),
         scan_line_(std::move(scan_line)),
@@ -146,7 +146,7 @@ class CommandDetector : public PlaceDetector {
 
 }  // namespace
 
-std::unique_ptr<PlaceDetector> command_detector(const DetectorCommand& command,
+std::unique_ptr<PlaceDetector> command_detector(const DetectorProgram& command,
                                                 ScanWriter scan_line, VisitReader read_visit_line) {
   const std::string title = one_line(command.command, 60);
   try {

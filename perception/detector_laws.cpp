@@ -32,12 +32,6 @@ bool is_clockwise(const std::vector<Point2>& points, Point2 centre) {
   return true;
 }
 
-Point2 middle(const std::vector<Point2>& points) {
-  Point2 sum;
-  for (const Point2 point : points) sum = sum + point;
-  return (1 / static_cast<double>(points.size())) * sum;
-}
-
 bool is_finite(const MeasuredGateway& gateway) {
   return std::isfinite(gateway.x_m) && std::isfinite(gateway.y_m) &&
          std::isfinite(gateway.heading_rad) && std::isfinite(gateway.width_m);
@@ -143,14 +137,14 @@ void DetectorLaws::check_gateways(const Visit& visit) {
     if (at[*arm]) complain("/gateways", name + " again", "each arm once");
     if (!is_finite(gateway) || gateway.width_m <= 0)
       complain("/gateways", name + " without finite pose and positive width", "both");
-    at[*arm] = {gateway.x_m, gateway.y_m};
+    at[*arm] = gateway.middle();
   }
   std::vector<Point2> clockwise;
   for (const auto& point : at)
     if (point) clockwise.push_back(*point);
   if (clockwise.size() < 3) return;  // any order of two is a clockwise one
   // Either centre will do: neither has a clear view of every place.
-  if (!is_clockwise(clockwise, middle(clockwise)) && !is_clockwise(clockwise, {}))
+  if (!is_clockwise(clockwise, mean(clockwise)) && !is_clockwise(clockwise, {}))
     complain("/gateways", "gateways in another order", "the star's, clockwise");
 }
 

@@ -25,6 +25,8 @@ namespace asterism {
 /// - displacement: from the second visit on always or never; finite; with a covariance
 /// - place map: as large as it says, log-odds that are numbers, the visit's origin inside; not
 ///   beside a map in a file
+///
+/// Remembers the scans and visits so far: one drive each, one thread at a time.
 class DetectorLaws {
  public:
   /// A scan has been given to the detector.
@@ -47,15 +49,16 @@ class DetectorLaws {
   void check_place_map(const DetectedVisit& detected);
   void complain(const std::string& what, const std::string& found, const std::string& expected);
 
-  std::deque<Stamp> stamps_;  // of the scans that the next visit may have
+  std::deque<Stamp> stamps_;  ///< of the scans that the next visit may have
   std::size_t scans_ = 0;
   std::size_t visits_ = 0;
-  bool was_left_ = true;  // the previous visit, by an arm
+  bool was_left_ = true;  ///< the previous visit, by an arm
   std::optional<long long> last_scan_;
   std::optional<bool> has_displacements_;
   std::vector<std::string> broken_;
 };
 
+/// Makes a detector that has seen nothing yet.
 using DetectorFactory = std::function<std::unique_ptr<PlaceDetector>()>;
 
 /// Puts new detectors through runs of these scans and returns the laws they broke: those of
@@ -64,6 +67,9 @@ using DetectorFactory = std::function<std::unique_ptr<PlaceDetector>()>;
 /// - determinism: two runs on the same scans give the same visits
 /// - prefix: on a drive that stops early the visits handed over before it stopped are the first of
 ///   those of the whole drive, and the other way round: no visit depends on scans that came after
+///
+/// @param scans  of one drive, in the order of the log
+/// @return  one line a law broken, "visit 3/gateways: found ...; expected ..."
 ///
 /// When a visit is handed over is left free, since programs answer when they like. A PluginError
 /// counts as a law broken.

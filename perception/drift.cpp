@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/plane_covariance.hpp"
+#include "core/squared.hpp"
+
 namespace asterism {
 namespace {
 
@@ -20,9 +23,8 @@ PoseCovariance covariance_between(const DriftingPose& before, const DriftingPose
   for (std::size_t i = 0; i < by_chance.size(); ++i) {
     by_chance[i] = after.drift.by_chance[i] - before.drift.by_chance[i];
   }
-  const double position = options.position_noise_m * options.position_noise_m;
-  const double heading = options.heading_noise_rad * options.heading_noise_rad;
-  const PoseCovariance at_end{position, 0, 0, 0, position, 0, 0, 0, heading};
+  const PoseCovariance at_end =
+      diagonal(squared(options.position_noise_m), squared(options.heading_noise_rad));
 
   PoseCovariance sum = seen_from(after_from_map, by_chance);
   const PoseCovariance at_start = seen_from(after_from_map * before.map_from_robot, at_end);
@@ -53,8 +55,8 @@ SmallMotion left_to_wheels(const PoseCovariance& fit, const Pose2& motion, doubl
   const double of_step = std::hypot(left[0], left[1]) / driven_m;
   if (of_step == 0) return {};
   // The walls' information along the way and across it, in units of the wheels'.
-  const double least =
-      ((fit[0] + fit[4]) / 2 - std::hypot((fit[0] - fit[4]) / 2, fit[1])) / variance;
+  const PlaneCovariance position{fit[0], fit[1], fit[4]};
+  const double least = (position.middle() - position.half()) / variance;
   const double along = std::max(0.0, 1 / of_step - 1 - std::pow(options.lean_rad, 2) / least);
   const double of_way = 1 / (1 + options.scans_alike * along);
   for (double& part : left) part *= of_way / of_step;

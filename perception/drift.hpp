@@ -29,7 +29,8 @@ struct DriftingPose {
   Drift drift = {};
 };
 
-/// Covariance of the pose reached, `after`, in the frame of the pose left, `before`.
+/// Covariance of the pose reached, `after`, in the frame of the pose left, `before`: of a small
+/// motion in the frame reached, m, m, rad.                                            [theory §11]
 PoseCovariance covariance_between(const DriftingPose& before, const DriftingPose& after,
                                   const DriftOptions& options = {});
 
@@ -38,8 +39,9 @@ PoseCovariance covariance_between(const DriftingPose& before, const DriftingPose
 /// along the way, leaning, only seem to.
 ///
 /// @param fit      covariance of the pose that the step was found to end at
-/// @param motion   by the wheels
+/// @param motion   before_from_after by the wheels, m, m, rad
 /// @param sigma_m  deviation of its position that the fit was told
+/// @return  in the frame of the pose the step ends at
 SmallMotion left_to_wheels(const PoseCovariance& fit, const Pose2& motion, double sigma_m,
                            const DriftOptions& options = {});
 
@@ -51,6 +53,10 @@ struct StepDrift {
 };
 
 /// The drift after one more step, which ends at this pose.
+///
+/// @param before          since the first step, in the map's frame, as is what is returned
+/// @param map_from_robot  where the step ends
+/// @param step            in the frame of the robot there
 Drift drifted(const Drift& before, const Pose2& map_from_robot, const StepDrift& step);
 
 }  // namespace asterism

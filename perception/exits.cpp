@@ -8,7 +8,7 @@
 namespace asterism {
 namespace {
 
-constexpr double kNear = 1.25;  // radii from which, with the reach, a point is near an opening
+constexpr double near_radii = 1.25;  // radii from which, with the reach, a point is near an opening
 
 double reach_m(double radius_m, const SkeletonOptions& options) {
   return 1.5 * radius_m + options.exit_reach_m;
@@ -65,10 +65,10 @@ std::optional<Cell> nearest_cell(const BitRows& picture, Cell to, int reach) {
 bool is_end(const BitRows& lines, Cell cell) {
   int steps = 0;
   int neighbours = 0;
-  for (std::size_t i = 0; i < kRing.size(); ++i) {
-    const bool here = lines.has(cell + kRing[i]);
+  for (std::size_t i = 0; i < ring_steps.size(); ++i) {
+    const bool here = lines.has(cell + ring_steps[i]);
     neighbours += here;
-    steps += !here && lines.has(cell + kRing[(i + 1) % kRing.size()]);
+    steps += !here && lines.has(cell + ring_steps[(i + 1) % ring_steps.size()]);
   }
   return neighbours == 0 || (steps == 1 && neighbours <= 2);
 }
@@ -99,7 +99,7 @@ BitRows missed_openings(const FreeSpace& space, const Frontier& frontier, const 
   const int gap = static_cast<int>(options.min_gateway_width_m / 2 / frame.resolution_m) + 2;
   const auto is_near = [&](const SkeletonPoint& point, Cell middle) {
     const double far_m = std::sqrt(squared_distance(point.cell, middle)) * frame.resolution_m;
-    if (far_m > kNear * point.radius_m + options.exit_reach_m) return false;
+    if (far_m > near_radii * point.radius_m + options.exit_reach_m) return false;
     const Point2 from = frame.centre(point.cell);
     const int steps = static_cast<int>(far_m / sight_lines.step_m());
     return steps == 0 ||

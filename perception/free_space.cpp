@@ -180,10 +180,7 @@ std::vector<float> squared_distances(const BitRows& picture) {
 }
 
 FreeSpace free_space(const Grid& grid, const FreeSpaceOptions& options) {
-  FreeSpace space{.frame = {.width = grid.width,
-                            .height = grid.height,
-                            .resolution_m = grid.resolution_m,
-                            .frame_from_grid = grid.frame_from_grid},
+  FreeSpace space{.frame = frame_of(grid),
                   .free = BitRows(grid.width, grid.height),
                   .occupied = BitRows(grid.width, grid.height)};
   classify(grid, static_cast<float>(options.known), space.free, space.occupied);

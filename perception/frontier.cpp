@@ -7,12 +7,13 @@
 namespace asterism {
 namespace {
 
-constexpr int kDirections = 120;
+constexpr int direction_count = 120;
 
-std::array<Point2, kDirections> all_directions() {
-  std::array<Point2, kDirections> directions;
-  for (int i = 0; i < kDirections; ++i) {
-    directions[static_cast<std::size_t>(i)] = unit_vector(2 * std::numbers::pi * i / kDirections);
+std::array<Point2, direction_count> all_directions() {
+  std::array<Point2, direction_count> directions;
+  for (int i = 0; i < direction_count; ++i) {
+    directions[static_cast<std::size_t>(i)] =
+        unit_vector(2 * std::numbers::pi * i / direction_count);
   }
   return directions;
 }
@@ -46,16 +47,16 @@ Frontier::Frontier(const FreeSpace& space)
       pieces_(cells_, Pieces::Touch::corners) {}
 
 Frontier::Opening Frontier::opening_at(Cell end, double reach_m) const {
-  static const std::array<Point2, kDirections> directions = all_directions();
+  static const std::array<Point2, direction_count> directions = all_directions();
   struct Hit {
     bool unknown = false;
     Point2 at = {};                     // the last free point
     std::optional<Cell> frontier = {};  // the last cell of it on the way
   };
-  std::array<Hit, 2 * kDirections> hits;  // twice round
+  std::array<Hit, 2 * direction_count> hits;  // twice round
   const Point2 from = space_.frame.centre(end);
   const double step_m = sight_lines_.step_m();
-  for (std::size_t i = 0; i < kDirections; ++i) {
+  for (std::size_t i = 0; i < direction_count; ++i) {
     Hit& hit = hits[i];
     const SightLines::Line line = sight_lines_.line(from, directions[i]);
     for (int step = 0; step * step_m <= reach_m;) {
@@ -69,17 +70,17 @@ Frontier::Opening Frontier::opening_at(Cell end, double reach_m) const {
       // Two steps less: the frontier lies one cell before the unknown.
       step += std::max(1, sight_lines_.stride(space_.clearance(cell)) - 2);
     }
-    hits[i + kDirections] = hit;
+    hits[i + direction_count] = hit;
   }
 
   Opening widest;
-  for (std::size_t start = 0; start < kDirections; ++start) {
+  for (std::size_t start = 0; start < direction_count; ++start) {
     if (!hits[start].unknown) continue;
     std::size_t last = start;
-    while (last + 1 < start + kDirections && hits[last + 1].unknown) ++last;
+    while (last + 1 < start + direction_count && hits[last + 1].unknown) ++last;
     // Seen under a wide angle an opening is as wide as its rim is long.
     double width_m = 0;
-    if (last - start > kDirections / 3) {
+    if (last - start > direction_count / 3) {
       for (std::size_t i = start; i < last; ++i) width_m += norm(hits[i + 1].at - hits[i].at);
     } else {
       width_m = norm(hits[last].at - hits[start].at);

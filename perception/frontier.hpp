@@ -8,8 +8,10 @@
 namespace asterism {
 
 /// Where free space meets the unknown: free cells beside an unknown one, in 8-connected pieces.
+/// Threads may ask one side by side.
 class Frontier {
  public:
+  /// @param space  must outlive this
   explicit Frontier(const FreeSpace& space);
 
   /// What an end of the skeleton faces: the longest run of directions in which the first cell that
@@ -18,8 +20,10 @@ class Frontier {
     double width_m = 0;
     std::optional<std::size_t> piece = {};  ///< of the frontier; nothing: grazes the unknown
   };
+  /// What a cell at the end of a line faces, no farther away than this.
   Opening opening_at(Cell end, double reach_m) const;
 
+  /// Its pieces, which openings name by number.
   const Pieces& pieces() const noexcept { return pieces_; }
 
  private:

@@ -9,14 +9,15 @@
 namespace asterism {
 namespace {
 
-constexpr int kSmoothing = 3;         // points either side over which r_p is averaged
-constexpr double kPlateau = -0.06;    // change of r_p a metre from which a branch narrows no more
-constexpr double kAxisSearch = 40;    // degrees either side of the skeleton's direction
-constexpr double kAxisRange_m = 10;   // how far a gateway looks outwards for its axis
-constexpr double kChord = 1.0;        // weight of the chord's length against the depth
-constexpr double kNearlyBest = 0.05;  // how much worse a direction still counts
-constexpr double kLoop_m = 10;        // a way that comes back to the core sooner leads nowhere
-constexpr double kBorder_m = 0.15;    // how far beyond a core's disc its border is looked at
+constexpr int smoothing_points = 3;  // points either side over which r_p is averaged
+constexpr double plateau_m_per_m =
+    -0.06;                            // change of r_p a metre from which a branch narrows no more
+constexpr int axis_search_deg = 40;   // either side of the skeleton's direction
+constexpr double axis_range_m = 10;   // how far a gateway looks outwards for its axis
+constexpr double chord_weight = 1.0;  // weight of the chord's length against the depth
+constexpr double nearly_best = 0.05;  // how much worse a direction still counts
+constexpr double short_loop_m = 10;   // a way that comes back to the core sooner leads nowhere
+constexpr double border_m = 0.15;     // how far beyond a core's disc its border is looked at
 
 class Finder {
  public:
@@ -90,7 +91,7 @@ class Finder {
     std::size_t unknown = 0;
     std::size_t all = 0;
     for (const std::size_t f : core) {
-      const double radius_m = point(f).radius_m + kBorder_m;
+      const double radius_m = point(f).radius_m + border_m;
       const int steps = static_cast<int>(2 * std::numbers::pi * radius_m / 0.05);
       for (int step = 0; step < steps; ++step) {
         // What lies behind a wall is unknown for good.
@@ -98,8 +99,8 @@ class Finder {
         const auto seen = [&](double back_m) {
           return space_.at(sight_lines_.cell_at(at(f) + (radius_m - back_m) * out));
         };
-        unknown += seen(0) == Occupancy::unknown && seen(kBorder_m / 2) != Occupancy::occupied &&
-                   seen(kBorder_m) != Occupancy::occupied;
+        unknown += seen(0) == Occupancy::unknown && seen(border_m / 2) != Occupancy::occupied &&
+                   seen(border_m) != Occupancy::occupied;
         ++all;
       }
     }
@@ -129,7 +130,8 @@ class Finder {
       if (here.critical.size() != 2) break;
       const std::size_t next = here.critical[0] == before ? here.critical[1] : here.critical[0];
       if (inside_[next]) {
-        if (static_cast<double>(line.size() - first) * space_.frame.resolution_m < kLoop_m) return;
+        if (static_cast<double>(line.size() - first) * space_.frame.resolution_m < short_loop_m)
+          return;
         break;
       }
       before = line.back();
@@ -141,7 +143,7 @@ class Finder {
 
   std::vector<std::size_t> back_from(std::size_t inside, std::size_t q) const {
     std::vector<std::size_t> line{inside};
-    for (std::size_t after = q; line.size() < 2 * kSmoothing + 2;) {
+    for (std::size_t after = q; line.size() < 2 * smoothing_points + 2;) {
       const SkeletonPoint& here = point(line.back());
       if (here.critical.size() != 2) break;
       const std::size_t next = here.critical[0] == after ? here.critical[1] : here.critical[0];
@@ -158,18 +160,19 @@ class Finder {
     const auto mean = [&](int middle) {
       double sum = 0;
       int count = 0;
-      for (int i = std::max(0, middle - kSmoothing); i <= std::min(size - 1, middle + kSmoothing);
-           ++i, ++count) {
+      for (int i = std::max(0, middle - smoothing_points);
+           i <= std::min(size - 1, middle + smoothing_points); ++i, ++count) {
         sum += point(line[static_cast<std::size_t>(i)]).radius_m;
       }
       return sum / count;
     };
     std::size_t least = first;
     for (int i = static_cast<int>(first); i < size; ++i) {
-      const int low = std::max(0, i - kSmoothing);
-      const int high = std::min(size - 1, i + kSmoothing);
+      const int low = std::max(0, i - smoothing_points);
+      const int high = std::min(size - 1, i + smoothing_points);
       const double run_m = (high - low) * space_.frame.resolution_m;
-      if (high - low >= 2 * kSmoothing - 1 && (mean(high) - mean(low)) / run_m >= kPlateau) {
+      if (high - low >= 2 * smoothing_points - 1 &&
+          (mean(high) - mean(low)) / run_m >= plateau_m_per_m) {
         return static_cast<std::size_t>(i);
       }
       if (point(line[static_cast<std::size_t>(i)]).radius_m < point(line[least]).radius_m) {
@@ -201,18 +204,17 @@ class Finder {
   }
 
   // The axis: along it a strip of the gateway's width looks far, and across it the walls are near.
-  // Thinned lines run in steps of 45°; walls do not.                            [DESIGN §11, 6]
+  // Thinned lines run in steps of 45°; walls do not.                            [theory §11, 6]
   Gateway with_axis(std::size_t m, double guess_rad) const {
     const double radius_m = point(m).radius_m;
-    const int steps = static_cast<int>(kAxisSearch);
     std::vector<double> depth;
     std::vector<double> chord;
-    for (int step = -steps; step <= steps; ++step) {
-      const Point2 along = unit_vector(guess_rad + step * std::numbers::pi / 180);
-      const Point2 left{-along.y_m, along.x_m};
+    for (int step = -axis_search_deg; step <= axis_search_deg; ++step) {
+      const Point2 along = unit_vector(guess_rad + radians(step));
+      const Point2 left = left_of(along);
       double sum = 0;
       for (int ray = -3; ray <= 3; ++ray) {
-        sum += free_length(at(m) + (ray * 0.2 * radius_m) * left, along, kAxisRange_m);
+        sum += free_length(at(m) + (ray * 0.2 * radius_m) * left, along, axis_range_m);
       }
       depth.push_back(sum);
       chord.push_back(free_length(at(m), left, 2 * radius_m) +
@@ -223,11 +225,11 @@ class Finder {
     std::vector<double> score;
     for (std::size_t i = 0; i < depth.size(); ++i) {
       score.push_back((deepest > 0 ? depth[i] / deepest : 0) -
-                      kChord * (shortest > 0 ? chord[i] / shortest - 1 : 0));
+                      chord_weight * (shortest > 0 ? chord[i] / shortest - 1 : 0));
     }
     // The middle of the best directions.
     const auto most = std::max_element(score.begin(), score.end());
-    const double least = *most - kNearlyBest;
+    const double least = *most - nearly_best;
     double weight = 0;
     double turn = 0;
     for (auto it = most; *it >= least; --it) {
@@ -239,8 +241,8 @@ class Finder {
       weight += *it - least;
       turn += (*it - least) * static_cast<double>(it - score.begin());
     }
-    const double degrees = turn / weight - steps;
-    return {at(m), wrapped(guess_rad + degrees * std::numbers::pi / 180), 2 * radius_m};
+    const double degrees = turn / weight - axis_search_deg;
+    return {at(m), wrapped(guess_rad + radians(degrees)), 2 * radius_m};
   }
 
   double free_length(Point2 from, Point2 along, double most_m) const {

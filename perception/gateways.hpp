@@ -24,10 +24,15 @@ struct Neighbourhood {
   double unknown_border = 0;           ///< share of the core's border that is unknown space
 };
 
+/// The neighbourhood that holds the robot: F, then from each way out of it the first constriction.
+///                                                                              [BMK10, §5.1.1]
+///
+/// @param robot  in the grid's frame, m
 /// @return  nothing if there is no exit: the skeleton has no critical branch
 std::optional<Neighbourhood> neighbourhood(const FreeSpace& space, const Skeleton& skeleton,
                                            Point2 robot);
-/// Its core alone, in ascending order; empty: no exit. Where cores are equal, so is all else.
+/// The core F alone of the neighbourhood that holds the robot, in ascending order; empty: no exit.
+/// Where cores are equal, so are the neighbourhoods.
 std::vector<std::size_t> core(const FreeSpace& space, const Skeleton& skeleton, Point2 robot);
 
 }  // namespace asterism

@@ -7,15 +7,16 @@
 namespace asterism {
 namespace {
 
-constexpr int kBridged = 5;  // so many beams without a return between two with one are free space
-constexpr double kWallGap_m = 0.9;  // returns of neighbouring beams so far apart may be one wall
-constexpr double kStraight_rad = 0.15;
-constexpr double kFootprint_m = 0.25;  // where the robot stands is free
+constexpr int bridged_beams =
+    5;  // so many beams without a return between two with one are free space
+constexpr double wall_gap_m = 0.9;  // returns of neighbouring beams so far apart may be one wall
+constexpr double straight_rad = 0.15;
+constexpr double footprint_m = 0.25;  // where the robot stands is free
 
 bool is_straight(Point2 before, Point2 corner, Point2 after) {
   const Point2 come = corner - before;
   const Point2 go = after - corner;
-  return dot(come, go) > std::cos(kStraight_rad) * norm(come) * norm(go);
+  return dot(come, go) > std::cos(straight_rad) * norm(come) * norm(go);
 }
 
 }  // namespace
@@ -70,8 +71,8 @@ void LocalPerceptualMap::update(const Scan& scan, const Pose2& map_from_robot) {
   };
   ends_.clear();
   wall_.clear();
-  double last_m = 0;          // range of the last return
-  int missed = kBridged + 1;  // beams since then
+  double last_m = 0;               // range of the last return
+  int missed = bridged_beams + 1;  // beams since then
   for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam) {
     // No return at all may be glass or a black wall: nothing is said about its cells.
     if (scan.ranges_m[beam] >= scan.laser.max_range_m) {
@@ -90,7 +91,7 @@ void LocalPerceptualMap::update(const Scan& scan, const Pose2& map_from_robot) {
       draw_wall();
     }
     // Between two returns space is free as far as the nearer one: no streaks between far beams.
-    if (missed <= kBridged) {
+    if (missed <= bridged_beams) {
       const double nearer_m = std::min(last_m, range_m) - grid_.resolution_m;
       const double gap_rad = (missed + 1) * scan.laser.beam_step_rad;
       const int rays = static_cast<int>(nearer_m * std::abs(gap_rad) / (0.7 * grid_.resolution_m));
@@ -112,7 +113,7 @@ void LocalPerceptualMap::draw_wall() {
   for (std::size_t i = 0; i + 1 < wall_.size(); ++i) {
     const Point2 gap = wall_[i + 1] - wall_[i];
     const int steps = static_cast<int>(norm(gap) / (0.5 * grid_.resolution_m));
-    if (steps < 2 || norm(gap) > kWallGap_m) continue;
+    if (steps < 2 || norm(gap) > wall_gap_m) continue;
     const bool straight =
         (i > 0 && is_straight(wall_[i - 1], wall_[i], wall_[i + 1])) ||
         (i + 2 < wall_.size() && is_straight(wall_[i], wall_[i + 1], wall_[i + 2]));
@@ -124,7 +125,7 @@ void LocalPerceptualMap::draw_wall() {
 }
 
 void LocalPerceptualMap::draw_footprint(Point2 robot) {
-  const int reach = static_cast<int>(kFootprint_m / grid_.resolution_m);
+  const int reach = static_cast<int>(footprint_m / grid_.resolution_m);
   const Cell at = grid_.cell_at(robot);
   for (int up = -reach; up <= reach; ++up) {
     for (int right = -reach; right <= reach; ++right) {

@@ -14,7 +14,7 @@ Point2 out_of(const Gateway& gateway) { return unit_vector(gateway.outward_rad);
 // How far the inward ray from one gateway's middle passes by the other's segment: the angle by
 // which it would have to turn to cross it, 0 if it does.
 double misses_by(const Gateway& from, const Gateway& to) {
-  const Point2 along{-out_of(to).y_m, out_of(to).x_m};
+  const Point2 along = left_of(out_of(to));
   const double inward_rad = from.outward_rad + std::numbers::pi;
   const auto off = [&](double side) {
     return wrapped(direction(to.middle + side * to.width_m / 2 * along - from.middle) - inward_rad);

@@ -7,6 +7,7 @@
 
 namespace asterism {
 
+/// Those of each step.
 struct LocalTopologyOptions {
   FreeSpaceOptions free_space = {};
   SkeletonOptions skeleton = {};
@@ -21,7 +22,10 @@ struct LocalTopology {
   std::optional<LocalStar> star = {};               ///< nothing: no gateway
 };
 
-/// @param driven  where the robot drove, in the grid's frame
+/// Free space, skeleton, gateways and star of a grid, in this order.                  [theory §11]
+///
+/// @param robot   in the grid's frame, m
+/// @param driven  where the robot drove, in the grid's frame, m
 LocalTopology local_topology(const Grid& grid, Point2 robot,
                              const LocalTopologyOptions& options = {},
                              std::span<const Point2> driven = {});

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/squared.hpp"
+
 namespace asterism {
 namespace {
 
-constexpr float kOccupied = 0.5F;  // log-odds from which a cell is taken for a wall
-
-double squared(double x) { return x * x; }
+constexpr float wall_log_odds = 0.5F;  // log-odds from which a cell is taken for a wall
 
 }  // namespace
 
@@ -23,6 +23,7 @@ Localiser::Estimate Localiser::observe(const Scan& scan, const LocalPerceptualMa
   take_returns(scan);
   if (!odom_from_last_) {
     odom_from_last_ = scan.odom_from_robot;
+    last_stamp_s_ = scan.stamp_s;
     return {.map_from_robot = last_};
   }
   if (version_ != map.version()) {
@@ -30,10 +31,19 @@ Localiser::Estimate Localiser::observe(const Scan& scan, const LocalPerceptualMa
     draw_field(map.grid());
     fit_.draw(map);
   }
-  const Step step = step_to(scan.odom_from_robot);
+  Step step = step_to(scan.odom_from_robot);
+  const auto bridged = bridge(step, std::abs(scan.stamp_s - last_stamp_s_));
+  last_stamp_s_ = scan.stamp_s;
+  Estimate estimate;
+  if (bridged) {
+    estimate.jump = step.motion;
+    step = *bridged;
+  }
+  last_motion_ = step.motion;
   const ScanFit::Fit found = locate(step);
 
-  Estimate estimate{.map_from_robot = found.map_from_robot, .match = match(found.map_from_robot)};
+  estimate.map_from_robot = found.map_from_robot;
+  estimate.match = match(found.map_from_robot);
   const Pose2 moved = inverse(last_) * found.map_from_robot;
   estimate.turned_rad = moved.heading_rad;
   StepDrift drift{found.covariance, left_to_wheels(found.covariance, step.motion, step.sigma_m),
@@ -68,6 +78,36 @@ Localiser::Step Localiser::step_to(const Pose2& odom_from_robot) {
               options_.heading_noise_per_rad * turned_rad};
 }
 
+std::optional<Localiser::Step> Localiser::bridge(const Step& by_wheels, double passed_s) const {
+  const auto is_far = [&](const Pose2& motion) {
+    return norm(motion.position()) > options_.jump_m ||
+           std::abs(motion.heading_rad) > options_.jump_rad;
+  };
+  if (!is_far(by_wheels.motion)) return std::nullopt;
+  const Step as_before{last_motion_, options_.bridge_m, options_.bridge_rad};
+  const double most_m = options_.most_m_per_s * passed_s;
+  const double most_rad = options_.most_rad_per_s * passed_s;
+  if (passed_s > 0 && (norm(by_wheels.motion.position()) > most_m ||
+                       std::abs(by_wheels.motion.heading_rad) > most_rad))
+    return as_before;
+  if (returns_.empty()) return std::nullopt;
+  const auto fitted = [&](const Step& step) {
+    const Pose2 there = last_ * step.motion;
+    return fit_near(there, there, step).map_from_robot;
+  };
+  if (match(fitted(by_wheels)) >= options_.poor_match) return std::nullopt;
+  const Pose2 other = fitted(as_before);
+  const bool is_contradicted =
+      match(other) > options_.good_match && is_far(inverse(last_ * by_wheels.motion) * other);
+  return is_contradicted ? std::optional(as_before) : std::nullopt;
+}
+
+ScanFit::Fit Localiser::fit_near(const Pose2& start, const Pose2& by_odometry,
+                                 const Step& step) const {
+  const double per_m2 = 1 / squared(step.sigma_m);
+  return fit_.fit(returns_, start, by_odometry, {per_m2, per_m2, 1 / squared(step.sigma_rad)});
+}
+
 ScanFit::Fit Localiser::locate(const Step& step) {
   const Pose2 by_odometry = last_ * step.motion;
   particles_before_ = particles_;
@@ -77,11 +117,7 @@ ScanFit::Fit Localiser::locate(const Step& step) {
     best.covariance[4 * i] = squared(i < 2 ? step.sigma_m : step.sigma_rad);
   }
   if (!returns_.empty()) {
-    const double per_m2 = 1 / squared(step.sigma_m);
-    const SmallMotion information{per_m2, per_m2, 1 / squared(step.sigma_rad)};
-    const auto fit_from = [&](const Pose2& start) {
-      return fit_.fit(returns_, start, by_odometry, information);
-    };
+    const auto fit_from = [&](const Pose2& start) { return fit_near(start, by_odometry, step); };
     const auto cheaper = [](const ScanFit::Fit& a, const ScanFit::Fit& b) {
       return a.cost < b.cost ? a : b;
     };
@@ -142,7 +178,7 @@ void Localiser::draw_field(const Grid& map) {
   field_.assign(map.log_odds.size(), 0.0F);
   for (int row = reach_; row < height_ - reach_; ++row) {
     for (int column = reach_; column < width_ - reach_; ++column) {
-      if (map.log_odds[map.index({column, row})] < kOccupied) continue;
+      if (map.log_odds[map.index({column, row})] < wall_log_odds) continue;
       const float* value = kernel_.data();
       for (int y = row - reach_; y <= row + reach_; ++y) {
         float* const cells = &field_[map.index({column - reach_, y})];

@@ -14,18 +14,28 @@
 
 namespace asterism {
 
+/// How far the wheels and a scan are trusted.
 struct LocaliserOptions {
   std::size_t particles = 80;
   std::size_t beams = 180;  ///< at most so many of a scan's returns are matched
   double usable_range_m = 20;
 
   // Odometry: standard deviations of one step.
-  double noise_per_m = 0.10;              ///< of position, a metre driven
-  double noise_m_per_rad = 0.05;          ///< ... a radian turned: the laser stands off the axle
+  double noise_per_m = 0.10;      ///< of position, a metre driven
+  double noise_m_per_rad = 0.05;  ///< of position, a radian turned: the laser stands off the axle
   double heading_noise_per_m_rad = 0.05;  ///< of heading, a metre driven
   double heading_noise_per_rad = 0.15;    ///< of heading, a radian turned
   double least_noise_m = 0.005;
   double least_heading_noise_rad = 0.002;
+
+  // Where the wheels are not believed: they start again from zero, or slip.
+  double jump_m = 0.5;         ///< a step is looked at that is longer than this, or turns more, and
+  double jump_rad = 0.8;       ///< not believed if the walls say another, as far from it
+  double most_m_per_s = 8;     ///< faster goes no robot,
+  double most_rad_per_s = 10;  ///< nor does it turn
+  double good_match = 0.6;  ///< mean field value of what contradicts a step of less than poor_match
+  double bridge_m = 0.3;    ///< deviations of a step like the one before
+  double bridge_rad = 0.2;
 
   double sigma_m = 0.10;     ///< likelihood field: deviation of a return from its wall
   double gain = 30;          ///< log-likelihood of a scan that fits perfectly
@@ -44,20 +54,26 @@ struct LocaliserOptions {
 ///
 /// P(z | x, m) is the likelihood field: a return fits by its distance to the nearest occupied cell.
 /// The most likely pose, from which the map is drawn, is what the scan fits best from the best
-/// particle, or from where the odometry says: see ScanFit.
+/// particle, or from where the odometry says: see ScanFit. Where the wheels tell of a step that no
+/// robot can do, or that this scan contradicts while it fits one like the step before, that one is
+/// taken in its place. It draws from an engine of its own,
+/// begun alike each time. For one thread at a time.
 class Localiser {
  public:
   /// @param start  map_from_robot at the first scan
   Localiser(const LocaliserOptions& options, const Pose2& start);
 
+  /// Where the robot is, and how well that is known.
   struct Estimate {
-    Pose2 map_from_robot = {};  ///< most likely
-    double match = 1;           ///< mean field value of the returns there, 0 to 1
-    double turned_rad = 0;      ///< since the scan before
-    Drift drift = {};           ///< of the pose, since the first scan: see covariance_between
+    Pose2 map_from_robot = {};       ///< most likely
+    double match = 1;                ///< mean field value of the returns there, 0 to 1
+    double turned_rad = 0;           ///< since the scan before
+    Drift drift = {};                ///< of the pose, since the first scan: see covariance_between
+    std::optional<Pose2> jump = {};  ///< what the wheels tell of this step and is not believed
   };
 
   /// Moves the particles by the odometry since the last scan and weighs them by this one.
+  /// @param map  the one that poses are told in, which does not hold the scan yet
   Estimate observe(const Scan& scan, const LocalPerceptualMap& map);
 
  private:
@@ -73,6 +89,8 @@ class Localiser {
   };
 
   Step step_to(const Pose2& odom_from_robot);
+  std::optional<Step> bridge(const Step& by_wheels, double passed_s) const;
+  ScanFit::Fit fit_near(const Pose2& start, const Pose2& by_odometry, const Step& step) const;
   void take_returns(const Scan& scan);
   ScanFit::Fit locate(const Step& step);
   Pose2 weigh(const Step& step, double heading_noise_rad);
@@ -87,6 +105,8 @@ class Localiser {
   int reach_ = 0;  ///< of the kernel, in cells
   std::vector<Particle> particles_;
   std::optional<Pose2> odom_from_last_;
+  double last_stamp_s_ = 0;
+  Pose2 last_motion_ = {};
   Pose2 last_ = {};
   Drift drift_ = {};
   RandomEngine random_;

@@ -17,11 +17,12 @@ struct DetectedVisit {
   friend bool operator==(const DetectedVisit&, const DetectedVisit&) = default;
 };
 
-/// Turns scans into stars: the whole seam between sensing and logic.   [DESIGN §11] [BMK10, §5]
+/// Turns scans into stars: the whole seam between sensing and logic.   [theory §11] [BMK10, §5]
 ///
 /// The visits handed over, in order, make a valid trace: each but the first was entered by an arm,
 /// each but the last left by one, and their `scans` do not overlap and do not decrease. All that is
-/// asked of them is in perception/detector_laws.hpp.
+/// asked of them is in perception/detector_laws.hpp. A detector is called by one thread at a time;
+/// two detectors may run at once.
 class PlaceDetector {
  public:
   PlaceDetector() = default;
@@ -29,6 +30,7 @@ class PlaceDetector {
   PlaceDetector& operator=(const PlaceDetector&) = delete;
   virtual ~PlaceDetector() = default;
 
+  /// What the detector calls itself, in messages.
   virtual std::string_view name() const noexcept = 0;
 
   /// The visit just ended, or nothing while travelling or still at a place. Called in the order of

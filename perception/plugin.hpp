@@ -17,20 +17,26 @@ namespace asterism {
 ///
 ///     const asterism::DetectorPlugin asterism_detector_plugin{.create = my_detector};
 struct DetectorPlugin {
+  /// Of this struct, as this program knows it.
   static constexpr std::uint32_t current_form = 1;
-  static constexpr const char* current_version = "0.1.0";
+  /// Of the headers of this program.
+  static constexpr const char* current_version = "0.2.0";
+  /// By which this program is built.
   static constexpr const char* current_compiler = __VERSION__;
+  /// Of a scan and a visit, in bytes.
   static constexpr std::array<std::size_t, 2> current_sizes{sizeof(Scan), sizeof(DetectedVisit)};
 
   std::uint32_t form = current_form;  ///< of this struct; always its first member
   const char* version = current_version;
   const char* compiler = current_compiler;
   std::array<std::size_t, 2> sizes = current_sizes;  ///< differ where compiler options do
+  /// Makes a detector; whatever it throws becomes a PluginError.
   std::unique_ptr<PlaceDetector> (*create)() = nullptr;
 };
 
 }  // namespace asterism
 
 extern "C" {
+/// Defined by the library alone: what load_detector looks for.
 [[gnu::visibility("default")]] extern const asterism::DetectorPlugin asterism_detector_plugin;
 }

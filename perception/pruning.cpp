@@ -2,51 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <queue>
+#include <optional>
+#include <vector>
+
+#include "perception/shortest_paths.hpp"
 
 namespace asterism {
 namespace {
 
-constexpr double kEntered_m = 1.0;    // so far into a branch the robot has entered it
-constexpr double kFork_m = 2.0;       // lines fork so far before a dead end
-constexpr double kLeastLink_m = 1.0;  // shorter links between two branches are corners of junctions
+constexpr double entered_m = 1.0;     // so far into a branch the robot has entered it
+constexpr double fork_m = 2.0;        // lines fork so far before a dead end
+constexpr double least_link_m = 1.0;  // shorter links between two branches are corners of junctions
 
 using Points = std::vector<std::size_t>;
-
-double step_length(const Skeleton& skeleton, std::size_t a, std::size_t b) {
-  const Cell from = skeleton.points[a].cell;
-  const Cell to = skeleton.points[b].cell;
-  return from.column == to.column || from.row == to.row ? 1 : std::numbers::sqrt2;
-}
-
-// Through the points that are open.
-ShortestPaths paths_from(const Skeleton& skeleton, const Points& starts,
-                         const std::vector<bool>& open) {
-  ShortestPaths paths{.before = std::vector<std::optional<std::size_t>>(skeleton.points.size()),
-                      .length = std::vector<double>(skeleton.points.size(),
-                                                    std::numeric_limits<double>::infinity())};
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (const std::size_t start : starts) {
-    paths.length[start] = 0;
-    queue.emplace(0, start);
-  }
-  while (!queue.empty()) {
-    const auto [length, at] = queue.top();
-    queue.pop();
-    if (length > paths.length[at]) continue;
-    for (const std::size_t next : skeleton.points[at].neighbours) {
-      const double there = length + step_length(skeleton, at, next);
-      if (!open[next] || there >= paths.length[next]) continue;
-      paths.length[next] = there;
-      paths.before[next] = at;
-      queue.emplace(there, next);
-    }
-  }
-  return paths;
-}
 
 class Pruner {
  public:
@@ -56,7 +24,7 @@ class Pruner {
   void keep_between_exits() {
     const Points& exits = skeleton_.exits;
     for (std::size_t i = 0; i + 1 < exits.size(); ++i) {
-      const ShortestPaths paths = paths_from(skeleton_, {exits[i]}, all_);
+      const ShortestPaths paths = shortest_paths(skeleton_, {exits[i]}, all_);
       for (std::size_t j = i + 1; j < exits.size(); ++j) keep_path(paths, exits[j]);
     }
   }
@@ -96,14 +64,14 @@ class Pruner {
     for (;;) {
       const Points roots = kept();
       if (roots.empty()) return;
-      const ShortestPaths paths = paths_from(skeleton_, roots, all_);
+      const ShortestPaths paths = shortest_paths(skeleton_, roots, all_);
       std::optional<std::size_t> deepest;
       for (std::size_t i = 0; i < skeleton_.points.size(); ++i) {
         const double length_m = paths.length[i] * frame_.resolution_m;
-        if (!std::isfinite(length_m) || length_m < kEntered_m) continue;
+        if (!std::isfinite(length_m) || length_m < entered_m) continue;
         if (beyond[i] || (deepest && paths.length[i] <= paths.length[*deepest])) continue;
         const double depth_m = length_m - skeleton_.points[root_of(paths, i)].radius_m;
-        if (depth_m < kEntered_m) continue;
+        if (depth_m < entered_m) continue;
         if (depth_m >= options_.hallway_m || holds_one(i, driven)) deepest = i;
       }
       if (!deepest) return;
@@ -116,7 +84,7 @@ class Pruner {
 
   // The junction farthest from the one exit, or the farthest point.
   void keep_only_branch() {
-    const ShortestPaths paths = paths_from(skeleton_, skeleton_.exits, all_);
+    const ShortestPaths paths = shortest_paths(skeleton_, skeleton_.exits, all_);
     std::optional<std::size_t> junction;
     std::size_t farthest = skeleton_.exits.front();
     for (std::size_t i = 0; i < skeleton_.points.size(); ++i) {
@@ -210,14 +178,14 @@ class Pruner {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       length += step_length(skeleton_, line[i], line[i + 1]);
     }
-    if (length * frame_.resolution_m < kLeastLink_m) return;
+    if (length * frame_.resolution_m < least_link_m) return;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) open[line[i]] = false;
-    const double back = paths_from(skeleton_, {line.front()}, open).length[line.back()];
+    const double back = shortest_paths(skeleton_, {line.front()}, open).length[line.back()];
     const double round_m = (length + back) * frame_.resolution_m;
     if (!std::isfinite(round_m) || round_m < options_.loop_m) return;
     const Points roots = kept();
     if (!roots.empty()) {
-      const ShortestPaths joins = paths_from(skeleton_, roots, open);
+      const ShortestPaths joins = shortest_paths(skeleton_, roots, open);
       keep_path(joins, line.front());
       keep_path(joins, line.back());
     }
@@ -232,7 +200,7 @@ class Pruner {
   // Lines fork into the corners of a dead end: the widest point shortly before its end.
   std::size_t widest_before(const ShortestPaths& paths, std::size_t end) const {
     std::size_t widest = end;
-    const double least = paths.length[end] - kFork_m / frame_.resolution_m;
+    const double least = paths.length[end] - fork_m / frame_.resolution_m;
     for (std::size_t at = end; paths.before[at] && paths.length[at] > least;
          at = *paths.before[at]) {
       if (skeleton_.points[at].radius_m > skeleton_.points[widest].radius_m) widest = at;
@@ -264,10 +232,6 @@ void keep_critical(Skeleton& skeleton, const Grid& frame, const SkeletonOptions&
   const bool alone = std::none_of(skeleton.points.begin(), skeleton.points.end(),
                                   [](const SkeletonPoint& p) { return !p.critical.empty(); });
   if (alone && skeleton.exits.size() == 1) pruner.keep_only_branch();
-}
-
-ShortestPaths shortest_paths(const Skeleton& skeleton, std::size_t start) {
-  return paths_from(skeleton, {start}, std::vector<bool>(skeleton.points.size(), true));
 }
 
 }  // namespace asterism

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <span>
-#include <vector>
 
 #include "perception/skeleton.hpp"
 
@@ -14,17 +11,11 @@ namespace asterism {
 ///  - loops too long to lead round a piece of furniture;
 ///  - hallways seen to their end, and where the robot drove: a dead end is a place of its own.
 /// With one exit and none of these, the branch to the junction nearest the dead end.
-///                                                               [DESIGN §11, 4] [BMK10, §5.1.1]
+///                                                               [theory §11, 4] [BMK10, §5.1.1]
+///
 /// @param frame  of the skeleton's cells
 /// @param driven  where the robot drove, in the frame of `frame`
 void keep_critical(Skeleton& skeleton, const Grid& frame, const SkeletonOptions& options,
                    std::span<const Point2> driven);
-
-/// Of each point, the one before it on the shortest path from `start`, and how far it is; in cells.
-struct ShortestPaths {
-  std::vector<std::optional<std::size_t>> before = {};
-  std::vector<double> length = {};  ///< infinite: not connected
-};
-ShortestPaths shortest_paths(const Skeleton& skeleton, std::size_t start);
 
 }  // namespace asterism

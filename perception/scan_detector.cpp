@@ -7,15 +7,15 @@
 namespace asterism {
 namespace {
 
-constexpr double kStep_m = 0.05;  // the way keeps no points closer than this
-constexpr std::size_t kLongestWay = 8000;
-constexpr double kAside_m = 1.0;          // how far beside a gateway's ends one is still beyond it
-constexpr double kSameHeading_rad = 0.6;  // how far gateways seen twice may differ
-constexpr double kSameSpot_m = 2.0;
-constexpr double kLost_m = 10;  // farther from a spot, one has left its place
-constexpr double kJustOutside_m = 1.0;
-constexpr double kStride_m = 0.3;     // how far the robot drives between two looks back
-constexpr double kLongestScan_s = 1;  // a gap in the log counts as no more time than this
+constexpr double way_step_m = 0.05;  // the way keeps no points closer than this
+constexpr std::size_t longest_way = 8000;
+constexpr double beside_m = 1.0;          // how far beside a gateway's ends one is still beyond it
+constexpr double same_heading_rad = 0.6;  // how far gateways seen twice may differ
+constexpr double same_spot_m = 2.0;
+constexpr double lost_m = 10;  // farther from a spot, one has left its place
+constexpr double just_outside_m = 1.0;
+constexpr double look_back_m = 0.3;   // how far the robot drives between two looks back
+constexpr double longest_scan_s = 1;  // a gap in the log counts as no more time than this
 
 // How far a point lies beyond a gateway, and beside its axis.
 struct Beyond {
@@ -45,8 +45,8 @@ bool same_star(const LocalTopology& a, const LocalTopology& b) {
     for (std::size_t j = 1; j < gateways; ++j) {
       if (off(j) < off(match)) match = j;
     }
-    if (off(match) > kSameHeading_rad ||
-        norm(gateways_of(a)[i].middle - gateways_of(b)[match].middle) > kSameSpot_m ||
+    if (off(match) > same_heading_rad ||
+        norm(gateways_of(a)[i].middle - gateways_of(b)[match].middle) > same_spot_m ||
         a.star->star.view(a.star->arm_of_gateway[i]) !=
             b.star->star.view(b.star->arm_of_gateway[match])) {
       return false;
@@ -63,9 +63,7 @@ ScanDetector::ScanDetector(const ScanDetectorOptions& options)
       localiser_(options.localiser, {0, 0, options.start_heading_rad}) {}
 
 std::optional<DetectedVisit> ScanDetector::observe(const Scan& scan) {
-  const double passed_s =
-      last_stamp_s_ ? std::clamp(scan.stamp_s - *last_stamp_s_, 0.0, kLongestScan_s) : 0;
-  last_stamp_s_ = scan.stamp_s;
+  const double passed_s = passed_since_last(scan.stamp_s);
   if (!way_.empty()) way_.back().passed_s += passed_s;
   follow(scan);
   find_stop(passed_s);
@@ -73,7 +71,7 @@ std::optional<DetectedVisit> ScanDetector::observe(const Scan& scan) {
   look();
 
   if (spots_.empty()) return std::nullopt;
-  if (judged_from_ && norm(robot_.position() - *judged_from_) < kStride_m) return std::nullopt;
+  if (judged_from_ && norm(robot_.position() - *judged_from_) < look_back_m) return std::nullopt;
   judged_from_ = robot_.position();
   Looks looks;
   for (std::size_t i = 0; i < spots_.size(); ++i) {
@@ -84,15 +82,25 @@ std::optional<DetectedVisit> ScanDetector::observe(const Scan& scan) {
       const std::optional<std::size_t> out = outside(*place, robot_.position(), options_.leave_m);
       if (out) return leave(*place, *out);
     }
-    if (away_m > kLost_m) spots_.erase(spots_.begin() + static_cast<std::ptrdiff_t>(i--));
+    if (away_m > lost_m) spots_.erase(spots_.begin() + static_cast<std::ptrdiff_t>(i--));
   }
   return std::nullopt;
+}
+
+// The order of the log rules: where its stamps run backwards on the whole, so does its clock.
+// Single ones that do are no time.
+double ScanDetector::passed_since_last(double stamp_s) {
+  const double later_s = last_stamp_s_ ? stamp_s - *last_stamp_s_ : 0;
+  last_stamp_s_ = stamp_s;
+  clock_s_ += std::clamp(later_s, -longest_scan_s, longest_scan_s);
+  return std::clamp(clock_s_ < 0 ? -later_s : later_s, 0.0, longest_scan_s);
 }
 
 // Localises, scrolls and draws.
 void ScanDetector::follow(const Scan& scan) {
   const Localiser::Estimate estimate = localiser_.observe(scan, map_);
   robot_ = estimate.map_from_robot;
+  if (estimate.jump) jumps_.push_back({scan.number, *estimate.jump});
   const double edge_m = 0.3 * options_.lpm.cells * options_.lpm.resolution_m;
   const Grid& grid = map_.grid();
   const Point2 centre = grid.centre({grid.width / 2, grid.height / 2});
@@ -108,9 +116,10 @@ void ScanDetector::follow(const Scan& scan) {
     map_.update(scan, robot_);
     drawn_ = here;
   }
-  if (way_.empty() || norm(way_.back().map_from_robot.position() - robot_.position()) > kStep_m) {
+  if (way_.empty() ||
+      norm(way_.back().map_from_robot.position() - robot_.position()) > way_step_m) {
     way_.push_back(here);
-    if (way_.size() > kLongestWay) way_.pop_front();
+    if (way_.size() > longest_way) way_.pop_front();
   }
 }
 
@@ -243,7 +252,7 @@ std::optional<std::size_t> ScanDetector::outside(const Place& place, Point2 poin
   const auto& gateways = gateways_of(place.topology);
   for (std::size_t i = 0; i < gateways.size(); ++i) {
     const auto [along_m, aside_m] = beyond(gateways[i], point);
-    if (along_m < by_m || aside_m > gateways[i].width_m / 2 + kAside_m) continue;
+    if (along_m < by_m || aside_m > gateways[i].width_m / 2 + beside_m) continue;
     if (!found || aside_m < least_m) {
       found = i;
       least_m = aside_m;
@@ -255,7 +264,7 @@ std::optional<std::size_t> ScanDetector::outside(const Place& place, Point2 poin
 // Where the robot stops just outside, it is at the place still.
 bool ScanDetector::is_inside(const Gateway& gateway, const Step& step) {
   const double along_m = beyond(gateway, step.map_from_robot.position()).along_m;
-  return along_m <= (step.stopped ? kJustOutside_m : 0);
+  return along_m <= (step.stopped ? just_outside_m : 0);
 }
 
 // The last time before step `before` that the robot came in: through which gateway, and when.
@@ -306,7 +315,8 @@ DetectedVisit ScanDetector::visit(const Place& place, std::optional<Crossing> in
   if (in) visit.entered_by = local.arm_of_gateway[in->gateway];
   if (out) visit.left_by = local.arm_of_gateway[out->gateway];
   visit.scans = {first.scan, last.scan};
-  visit.stamps_s = {first.stamp_s, last.stamp_s};
+  const auto [smaller_s, larger_s] = std::minmax({first.stamp_s, last.stamp_s});
+  visit.stamps_s = {smaller_s, larger_s};
   for (std::size_t i = 0; i < gateways.size(); ++i) {
     const Pose2 placed = visit_from_map * Pose2{gateways[i].middle.x_m, gateways[i].middle.y_m,
                                                 gateways[i].outward_rad};
@@ -316,8 +326,7 @@ DetectedVisit ScanDetector::visit(const Place& place, std::optional<Crossing> in
   const DriftingPose here{first.map_from_robot, first.drift};
   if (last_visit_) {
     const Pose2 moved = inverse(last_visit_->map_from_robot) * here.map_from_robot;
-    visit.displacement = Displacement{moved.x_m, moved.y_m, moved.heading_rad,
-                                      covariance_between(*last_visit_, here)};
+    visit.displacement = make_displacement(moved, covariance_between(*last_visit_, here));
   }
   last_visit_ = here;
   last_place_ = {place.topology, first.map_from_robot, {}};

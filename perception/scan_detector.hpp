@@ -3,6 +3,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "perception/local_perceptual_map.hpp"
@@ -12,6 +13,7 @@
 
 namespace asterism {
 
+/// When the map is redrawn, and what makes a place.
 struct ScanDetectorOptions {
   LpmOptions lpm = {};
   LocaliserOptions localiser = {};
@@ -25,38 +27,48 @@ struct ScanDetectorOptions {
 
   // Place or path.
   double stay_m = 0.5;       ///< the robot stops where it keeps within this of one spot
-  double stay_s = 4;         ///< ... for this long
+  double stay_s = 4;         ///< and does so for this long
   double corner_m = 3;       ///< the robot turns a corner where its way so far before and behind
-  double corner_rad = 0.8;   ///< ... differs by this much
+  double corner_rad = 0.8;   ///< differs by this much in direction
   double near_m = 4;         ///< a place's star is looked at from the way so near to its spot
-  double spot_m = 0.2;       ///< ... every so far
+  double spot_m = 0.2;       ///< from points of the way so far apart
   double hold_s = 2;         ///< a star counts if it holds where the robot was for so long
-  double drive_s_per_m = 4;  ///< ... a metre driven counting as much as this
-  double explored = 0.12;    ///< ... with no more than this share of the border unknown
+  double drive_s_per_m = 4;  ///< a metre driven holding a star for as long as this
+  double explored = 0.12;    ///< a star counts with no more than this share of the border unknown
   double leave_m = 2.0;      ///< so far out of a gateway the robot has left; nearer is a poke
 };
 
 /// The detector that ships: local perceptual map, localisation, gateways, stars.
-///                                                            [DESIGN §11] [BMK10, §4, §5]
+///                                                            [theory §11] [BMK10, §4, §5]
+/// For one thread at a time.
 class ScanDetector final : public PlaceDetector {
  public:
+  /// A detector that has seen nothing yet.
   explicit ScanDetector(const ScanDetectorOptions& options = {});
 
   std::string_view name() const noexcept override { return "scans"; }
   std::optional<DetectedVisit> observe(const Scan& scan) override;
   std::optional<DetectedVisit> finish() override;
 
+  /// The local perceptual map after the last scan.
   const LocalPerceptualMap& map() const noexcept { return map_; }
+  /// Where the robot was at the last scan, in the map's frame, which drifts.
   const Pose2& map_from_robot() const noexcept { return robot_; }
+  /// A step of the wheels that was not believed.
+  struct Jump {
+    long long scan = 0;  ///< at which it ended
+    Pose2 motion = {};   ///< by the wheels, in the frame of the robot before
+  };
+  /// Those so far, in order.
+  std::span<const Jump> jumps() const noexcept { return jumps_; }
   /// How the visit handed over last was seen.
   struct PlaceView {
     LocalTopology topology = {};
     Pose2 map_from_visit = {};
     std::vector<Point2> way = {};  ///< of the robot, in the map's frame
   };
+  /// Nothing before the first visit is handed over.
   const std::optional<PlaceView>& last_place() const noexcept { return last_place_; }
-  /// What the last scan's map says of the robot's surroundings.
-  const LocalTopology& surroundings() const noexcept { return surroundings_; }
 
  private:
   // A point of the robot's way.
@@ -84,6 +96,7 @@ class ScanDetector final : public PlaceDetector {
     std::size_t inside = 0;  ///< step of the way just inside the gateway
   };
 
+  double passed_since_last(double stamp_s);
   void follow(const Scan& scan);
   void look();
   std::vector<Point2> driven() const;
@@ -102,11 +115,13 @@ class ScanDetector final : public PlaceDetector {
   LocalPerceptualMap map_;
   Localiser localiser_;
   Pose2 robot_ = {};
-  LocalTopology surroundings_ = {};
+  LocalTopology surroundings_ = {};  ///< what the last scan's map says of them
 
   std::deque<Step> way_;  ///< since the last visit
   std::optional<Step> drawn_;
+  std::vector<Jump> jumps_;
   std::optional<double> last_stamp_s_;
+  double clock_s_ = 0;  ///< below 0 where stamps run backwards
 
   Point2 anchor_ = {};  ///< the spot the robot stays at
   double stayed_s_ = 0;

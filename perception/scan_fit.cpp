@@ -3,65 +3,50 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/plane_covariance.hpp"
+#include "core/squared.hpp"
+
 namespace asterism {
 namespace {
 
 // A wall stands until it was seen through many times: a map's own walls fade where beams graze
 // them.
-constexpr float kGone = -1.5F;
-constexpr float kUnknown = 0.3F;  // log-odds nearer 0 say nothing
-constexpr int kNoWall = -1;
-constexpr int kNothing = -2;  // ... and no one knows what there is
-constexpr int kRound = 2;  // cells round one that tell its wall's direction, or else twice as many
-constexpr double kFewest = 3;
-constexpr double kAlong = 100;   // spread along a wall, in which distances do not count, times this
-constexpr double kOddTurn = 25;  // a turn that the wheels missed costs no more than this
-constexpr double kDone_m = 2e-4;
-constexpr double kDone_rad = 5e-5;
-
-// How the points of the walls round a cell spread.
-struct Spread {
-  double points = 0;
-  double xx = 0;
-  double xy = 0;
-  double yy = 0;
-};
+constexpr float gone_log_odds = -1.5F;
+constexpr float unknown_log_odds = 0.3F;  // log-odds nearer 0 say nothing
+constexpr int no_wall = -1;
+constexpr int nothing_known = -2;  // ... and no one knows what there is
+constexpr int round_cells =
+    2;  // cells round one that tell its wall's direction, or else twice as many
+constexpr double fewest_points = 3;
+constexpr double along_factor =
+    100;  // spread along a wall, in which distances do not count, times this
+constexpr double odd_turn_cost = 25;  // a turn that the wheels missed costs no more than this
+constexpr double done_m = 2e-4;
+constexpr double done_rad = 5e-5;
 
 bool has_wall(const LocalPerceptualMap& map, std::size_t cell) {
-  return map.walls()[cell].returns > 0 && map.grid().log_odds[cell] > kGone;
+  return map.walls()[cell].returns > 0 && map.grid().log_odds[cell] > gone_log_odds;
 }
 
-Spread spread(const LocalPerceptualMap& map, Cell cell, int round) {
+// How the points of the walls round a cell spread, told from the cell's own.
+PointSpread spread(const LocalPerceptualMap& map, Cell cell, int round) {
   const Grid& grid = map.grid();
   const Point2 here = map.walls()[grid.index(cell)].mean;
-  Spread sum;
-  Point2 middle = {};
-  for (int row = std::max(0, cell.row - round); row <= std::min(grid.height - 1, cell.row + round);
-       ++row) {
-    for (int column = std::max(0, cell.column - round);
-         column <= std::min(grid.width - 1, cell.column + round); ++column) {
-      const std::size_t other = grid.index({column, row});
-      if (!has_wall(map, other)) continue;
-      const Point2 away = map.walls()[other].mean - here;
-      ++sum.points;
-      middle = middle + away;
-      sum.xx += away.x_m * away.x_m;
-      sum.xy += away.x_m * away.y_m;
-      sum.yy += away.y_m * away.y_m;
-    }
-  }
-  middle = (1 / sum.points) * middle;
-  return {sum.points, sum.xx / sum.points - middle.x_m * middle.x_m,
-          sum.xy / sum.points - middle.x_m * middle.y_m,
-          sum.yy / sum.points - middle.y_m * middle.y_m};
+  PointSpread sum;
+  grid.for_each_round(cell, round, [&](Cell other) {
+    const std::size_t at = grid.index(other);
+    if (has_wall(map, at)) sum.add(map.walls()[at].mean - here);
+  });
+  return sum;
 }
 
 // What a distance from a wall of this spread tells: the inverse of its covariance.
-std::array<double, 3> information(const Spread& spread, double sigma_m) {
-  const double half = std::hypot((spread.xx - spread.yy) / 2, spread.xy);
-  const double across = (spread.xx + spread.yy) / 2 - half + sigma_m * sigma_m;
-  const double along = kAlong * (across + 2 * half - sigma_m * sigma_m) + sigma_m * sigma_m;
-  const Point2 wall = unit_vector(0.5 * std::atan2(2 * spread.xy, spread.xx - spread.yy));
+std::array<double, 3> information(const PlaneCovariance& spread, double sigma_m) {
+  const double variance = squared(sigma_m);
+  const double half = spread.half();
+  const double across = spread.middle() - half + variance;
+  const double along = along_factor * (across + 2 * half - variance) + variance;
+  const Point2 wall = spread.along();
   const auto part = [&](double ww, double nn) { return ww / along + nn / across; };
   return {part(wall.x_m * wall.x_m, wall.y_m * wall.y_m),
           part(wall.x_m * wall.y_m, -wall.x_m * wall.y_m),
@@ -92,22 +77,19 @@ PoseCovariance inverted(const PoseCovariance& m) {
 
 void ScanFit::draw(const LocalPerceptualMap& map) {
   const Grid& grid = map.grid();
-  frame_.width = grid.width;
-  frame_.height = grid.height;
-  frame_.resolution_m = grid.resolution_m;
-  frame_.frame_from_grid = grid.frame_from_grid;
-  wall_of_cell_.assign(grid.log_odds.size(), kNoWall);
+  frame_ = frame_of(grid);
+  wall_of_cell_.assign(grid.log_odds.size(), no_wall);
   walls_.clear();
   for (int row = 0; row < grid.height; ++row) {
     for (int column = 0; column < grid.width; ++column) {
       const std::size_t at = grid.index({column, row});
-      if (std::abs(grid.log_odds[at]) < kUnknown) wall_of_cell_[at] = kNothing;
+      if (std::abs(grid.log_odds[at]) < unknown_log_odds) wall_of_cell_[at] = nothing_known;
       if (!has_wall(map, at)) continue;
-      Spread round = spread(map, {column, row}, kRound);
-      if (round.points < kFewest) round = spread(map, {column, row}, 2 * kRound);
-      if (round.points < kFewest) continue;
+      PointSpread round = spread(map, {column, row}, round_cells);
+      if (round.count() < fewest_points) round = spread(map, {column, row}, 2 * round_cells);
+      if (round.count() < fewest_points) continue;
       wall_of_cell_[at] = static_cast<int>(walls_.size());
-      walls_.push_back({map.walls()[at].mean, information(round, options_.sigma_m)});
+      walls_.push_back({map.walls()[at].mean, information(round.covariance(), options_.sigma_m)});
     }
   }
 }
@@ -137,14 +119,14 @@ const ScanFit::Wall* ScanFit::nearest(Point2 in_map) const {
 
 bool ScanFit::is_unknown(Point2 in_map) const {
   const Cell at = frame_.cell_at(in_map);
-  return !frame_.contains(at) || wall_of_cell_[frame_.index(at)] == kNothing;
+  return !frame_.contains(at) || wall_of_cell_[frame_.index(at)] == nothing_known;
 }
 
 ScanFit::Equations ScanFit::equations(std::span<const Point2> returns,
                                       const Pose2& map_from_robot) const {
   const double k2 = options_.outlier * options_.outlier;
   const Point2 ahead = unit_vector(map_from_robot.heading_rad);
-  const Point2 left{-ahead.y_m, ahead.x_m};
+  const Point2 left = left_of(ahead);
   Equations sum;
   for (const Point2 point : returns) {
     const Point2 turned = point.x_m * ahead + point.y_m * left;
@@ -164,7 +146,7 @@ ScanFit::Equations ScanFit::equations(std::span<const Point2> returns,
     const double fits = k2 / (k2 + dot(off, pull));
     sum.cost += fits * dot(off, pull);
     // How the return moves with the robot: ahead, to the left, turning.
-    const std::array<Point2, 3> moves{ahead, left, {-turned.y_m, turned.x_m}};
+    const std::array<Point2, 3> moves{ahead, left, left_of(turned)};
     for (std::size_t row = 0; row < 3; ++row) {
       sum.slope[row] -= fits * fits * dot(moves[row], pull);
       const Point2 weight = fits * fits * weighed(moves[row]);
@@ -189,7 +171,7 @@ ScanFit::Fit ScanFit::fit(std::span<const Point2> returns, const Pose2& start,
     // Wheels seldom slip far, but they may turn on the spot unheard.
     const auto& information = odometry_information;
     const double odd_turn = information[2] * off[2] * off[2];
-    const double trust = kOddTurn / (kOddTurn + odd_turn);
+    const double trust = odd_turn_cost / (odd_turn_cost + odd_turn);
     const SmallMotion prior{information[0], information[1], trust * trust * information[2]};
     for (std::size_t i = 0; i < 3; ++i) {
       at.curvature[4 * i] += prior[i];
@@ -202,7 +184,7 @@ ScanFit::Fit ScanFit::fit(std::span<const Point2> returns, const Pose2& start,
     SmallMotion move = {};
     for (std::size_t i = 0; i < 9; ++i) move[i / 3] += fit.covariance[i] * at.slope[i % 3];
     fit.map_from_robot = fit.map_from_robot * Pose2{move[0], move[1], move[2]};
-    if (std::hypot(move[0], move[1]) < kDone_m && std::abs(move[2]) < kDone_rad) break;
+    if (std::hypot(move[0], move[1]) < done_m && std::abs(move[2]) < done_rad) break;
   }
   return fit;
 }

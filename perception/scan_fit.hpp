@@ -9,6 +9,7 @@
 
 namespace asterism {
 
+/// How well returns lie on walls.
 struct ScanFitOptions {
   double reach_m = 0.3;   ///< a return farther from every wall belongs to none
   double sigma_m = 0.02;  ///< deviation of a return from its wall
@@ -21,24 +22,31 @@ struct ScanFitOptions {
 /// the mean of its returns, and points along the walls of the cells round it. Distances across the
 /// wall count, those along it hardly; where the walls round have no direction, all do.
 ///
-///   pose* = argmin Σ_i ρ(dᵢᵀ M_w dᵢ) + ρ(eᵀ Q e),   dᵢ: from wall w to return i,   e =
-///   Log(odometry⁻¹ pose)
+///   pose* = argmin Σ_i ρ(dᵢᵀ M_w dᵢ) + ρ(eᵀ Q e),
+///   dᵢ: from wall w to return i,   e = Log(odometry⁻¹ pose)
 ///
-/// by Gauss-Newton with the nearest walls found anew at each step; ρ(x) = k² x / (k² + x).
+/// by Gauss-Newton with the nearest walls found anew at each step; ρ(x) = k² x / (k² + x). Threads
+/// may fit at once while none draws.
 class ScanFit {
  public:
+  /// Knows no walls yet: see draw.
   explicit ScanFit(const ScanFitOptions& options) : options_(options) {}
 
   /// Takes over the map's walls.
   void draw(const LocalPerceptualMap& map);
 
+  /// Where a scan fits best, and how well.
   struct Fit {
     Pose2 map_from_robot = {};
     PoseCovariance covariance = {};  ///< inverse of the curvature at the optimum
     double cost = 0;
     double matched = 0;  ///< share of the returns that found a wall
   };
-  /// @param returns  in the robot's frame
+  /// The pose from which returns lie on the walls best, near where it starts.
+  ///
+  /// @param returns      in the robot's frame, m; at least one
+  /// @param start        map_from_robot to begin with
+  /// @param by_odometry  map_from_robot as the wheels tell it
   /// @param odometry_information  diagonal of Q, in the robot's frame; positive
   Fit fit(std::span<const Point2> returns, const Pose2& start, const Pose2& by_odometry,
           const SmallMotion& odometry_information) const;

@@ -23,7 +23,7 @@ BitRows roomy_cells(const FreeSpace& space, double half_width_m, std::span<const
   for (const Point2 point : driven) {
     const Cell at = sight_lines.cell_at(point);
     if (space.is_free(at)) roomy.set(at);
-    for (const Cell step : kRing) {
+    for (const Cell step : ring_steps) {
       if (space.is_free(at + step)) roomy.set(at + step);
     }
   }
@@ -58,7 +58,7 @@ BitRows slimmed(const BitRows& lines) {
   BitRows slim = lines;
   lines.for_each([&](Cell cell) {
     std::array<bool, 8> on{};
-    for (std::size_t i = 0; i < on.size(); ++i) on[i] = slim.has(cell + kRing[i]);
+    for (std::size_t i = 0; i < on.size(); ++i) on[i] = slim.has(cell + ring_steps[i]);
     int pieces = 0;
     for (std::size_t i = 0; i < on.size(); ++i) {
       const bool side = i % 2 == 0;
@@ -88,7 +88,7 @@ std::vector<SkeletonPoint> points_of(const BitRows& lines, const FreeSpace& spac
            static_cast<std::size_t>(std::popcount(lines.word(cell.row, word) & west));
   };
   for (SkeletonPoint& point : points) {
-    for (const Cell step : kRing) {
+    for (const Cell step : ring_steps) {
       if (lines.has(point.cell + step)) point.neighbours.add(number(point.cell + step));
     }
   }

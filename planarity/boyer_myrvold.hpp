@@ -9,10 +9,10 @@
 namespace asterism {
 
 /// Can places and segments be drawn in the plane at all, whatever the order round a place?
-/// Boyer and Myrvold's test; every map that is_planar accepts passes it.            [DESIGN §7]
+/// Boyer and Myrvold's test; every map that is_planar accepts passes it.            [theory §7]
 bool is_planar_graph(const TopologicalMap& map);
 
-/// The same of any graph: edges join vertices, numbered from 0.
+/// Whether a graph can be drawn in the plane: its edges join vertices, numbered from 0.
 bool is_planar_graph(std::size_t vertices,
                      std::span<const std::pair<std::size_t, std::size_t>> edges);
 

@@ -8,12 +8,12 @@
 namespace asterism {
 
 /// The faces of a map, as its stars imply them: orbits of "arrive by gateway h, go on by the next
-/// gateway clockwise after h that has a segment (h itself if alone)".                [DESIGN §7]
+/// gateway clockwise after h that has a segment (h itself if alone)".                [theory §7]
 /// Each face lists the gateways left by, in order, from its smallest; the face lies to the left.
 /// Every gateway with a segment is in exactly one face; gateways without a segment are in none.
 std::vector<std::vector<PlaceArm>> faces(const TopologicalMap& map);
 
-/// Can the map be drawn in the plane with the clockwise orders of its stars?  [SK04] [DESIGN §7]
+/// Can the map be drawn in the plane with the clockwise orders of its stars?  [SK04] [theory §7]
 /// V - E + F = 2. A map in several pieces is planar iff each piece is; a place without segments is.
 bool is_planar(const TopologicalMap& map);
 

@@ -1,22 +1,25 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <span>
 #include <vector>
+
+#include "core/id_vector.hpp"
 
 namespace asterism {
 
 /// For each face of a growing planar map, the cyclic list of open gateways along its boundary.
-///                                                                     [SK04] [DESIGN §7]
-/// Gateways are numbers below a fixed size. Every step can be undone, in reverse order: what a step
+///                                                                     [SK04] [theory §7]
+/// Every step can be undone, in reverse order: what a step
 /// unlinks keeps its own links, so undoing only puts it back ("dancing links").
+template <class Gateway>
 class FaceLists {
  public:
-  using Gateway = std::uint32_t;
+  /// Begins again, with none open.  @param gateways  how many ids of them there are
 
   void reset(std::size_t gateways) {
-    next_.assign(gateways, 0);
-    previous_.assign(gateways, 0);
+    next_.assign(gateways, Gateway(0));
+    previous_.assign(gateways, Gateway(0));
   }
 
   /// The open gateway after `gateway` on the boundary of its face. Closing x with y is planar iff
@@ -67,8 +70,8 @@ class FaceLists {
     previous_[second] = first;
   }
 
-  std::vector<Gateway> next_;
-  std::vector<Gateway> previous_;
+  IdVector<Gateway, Gateway> next_;
+  IdVector<Gateway, Gateway> previous_;
 };
 
 }  // namespace asterism

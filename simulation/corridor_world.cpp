@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <vector>
+
+#include "simulation/drawn_world.hpp"
 
 namespace asterism {
 namespace {
@@ -141,14 +142,9 @@ World draw(const CorridorOptions& options, RandomEngine& engine) {
 }  // namespace
 
 World corridor_world(const CorridorOptions& options, RandomEngine& engine) {
-  constexpr int draws = 1000;
-  for (int i = 0; i < draws; ++i) {
-    World world = draw(options, engine);
-    if (!world.segments.empty() && world.places.size() >= options.min_places) return world;
-  }
-  throw std::invalid_argument("found no world of " + std::to_string(options.min_places) +
-                              " places in " + std::to_string(draws) +
-                              " draws; expected more or longer corridors");
+  return drawn_world(
+      options.min_places, [&] { return draw(options, engine); }, "world",
+      "more or longer corridors");
 }
 
 }  // namespace asterism

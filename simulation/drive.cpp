@@ -27,8 +27,7 @@ void Drive::add_measures() {
                       options_.motion.step_s * static_cast<double>(last)};
     if (k == 0) continue;
     const Pose2 moved = inverse(poses[motion_.visits[k - 1][0]]) * poses[first];
-    visit.displacement = {
-        moved.x_m, moved.y_m, moved.heading_rad, {variance, 0, 0, 0, variance, 0, 0, 0, variance}};
+    visit.displacement = make_displacement(moved, diagonal(variance, variance));
   }
 }
 

@@ -16,6 +16,7 @@
 
 namespace asterism {
 
+/// How the robot drives, what it senses with, and who is in its way.
 struct DriveOptions {
   MotionOptions motion = {};
   LaserOptions laser = {};
@@ -27,9 +28,10 @@ struct DriveOptions {
 /// A robot that drives along a route through a building and scans: what it senses, and the truth.
 /// Odometry is right at the first scan, in the building's frame, and drifts from there.
 ///
-/// Deterministic; what one sense draws does not depend on the others.
+/// Deterministic; what one sense draws does not depend on the others. For one thread at a time.
 class Drive {
  public:
+  /// @param seed  of all that is drawn
   /// @pre  the building's world has segments, and the route keeps to them
   Drive(const Building& building, const Route& route, const DriveOptions& options,
         std::uint64_t seed);

@@ -66,8 +66,7 @@ bool is_parted_by_a_side(const Polygon& a, const Polygon& b) {
 }  // namespace
 
 Polygon rectangle(Point2 from, Point2 to, double width_m) {
-  const Point2 along = (1 / norm(to - from)) * (to - from);
-  const Point2 left = (width_m / 2) * Point2{-along.y_m, along.x_m};
+  const Point2 left = (width_m / 2) * left_of(unit_towards(from, to));
   return {from - left, to - left, to + left, from + left};
 }
 

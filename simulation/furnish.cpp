@@ -13,8 +13,8 @@ class Side {
  public:
   Side(const Stretch& stretch, bool is_left) : half_width_m_(stretch.width_m / 2) {
     origin_ = stretch.from;
-    along_ = (1 / norm(stretch.to - stretch.from)) * (stretch.to - stretch.from);
-    outwards_ = is_left ? Point2{-along_.y_m, along_.x_m} : Point2{along_.y_m, -along_.x_m};
+    along_ = unit_towards(stretch.from, stretch.to);
+    outwards_ = is_left ? left_of(along_) : -1 * left_of(along_);
   }
 
   Point2 point(double along_m, double beyond_wall_m) const {

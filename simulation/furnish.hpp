@@ -5,6 +5,7 @@
 
 namespace asterism {
 
+/// What stands at the walls of a corridor, and how close.
 struct FurnishOptions {
   double min_gap_m = 1;  ///< between one thing at the walls and the next
   double max_gap_m = 4;

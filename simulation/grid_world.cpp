@@ -1,7 +1,8 @@
 #include "simulation/grid_world.hpp"
 
-#include <stdexcept>
 #include <vector>
+
+#include "simulation/drawn_world.hpp"
 
 namespace asterism {
 namespace {
@@ -53,14 +54,9 @@ World draw(const GridOptions& options, RandomEngine& engine) {
 }  // namespace
 
 World grid_world(const GridOptions& options, RandomEngine& engine) {
-  constexpr int draws = 1000;
-  for (int i = 0; i < draws; ++i) {
-    World world = draw(options, engine);
-    if (!world.segments.empty() && world.places.size() >= options.min_places) return world;
-  }
-  throw std::invalid_argument("found no grid of " + std::to_string(options.min_places) +
-                              " places in " + std::to_string(draws) +
-                              " draws; expected a larger grid or fewer missing corridors");
+  return drawn_world(
+      options.min_places, [&] { return draw(options, engine); }, "grid",
+      "a larger grid or fewer missing corridors");
 }
 
 }  // namespace asterism

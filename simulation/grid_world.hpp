@@ -7,6 +7,7 @@
 
 namespace asterism {
 
+/// How large a grid is, and what of it is missing.
 struct GridOptions {
   std::size_t width = 4;   ///< points from west to east
   std::size_t height = 4;  ///< points from north to south
@@ -17,7 +18,8 @@ struct GridOptions {
 };
 
 /// Corridors on a grid, some missing, with some blind stubs. Local-paths v+ lead north, h+ east.
-/// Points are numbered by rows, from the north-west.
+/// Points are numbered by rows, from the north-west. Coordinates in m, x to the east, y to the
+/// north.
 ///
 /// @throws std::invalid_argument if no such world was found in a thousand draws
 World grid_world(const GridOptions& options, RandomEngine& engine);

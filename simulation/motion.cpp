@@ -21,7 +21,7 @@ std::vector<Lane> lanes(Point2 from, Point2 along, std::size_t count, const RayC
                         double side_m) {
   constexpr double far_m = 5;
   constexpr std::size_t window = 16;  // a robot is not as thin as a beam, nor does it jump aside
-  const Point2 left{-along.y_m, along.x_m};
+  const Point2 left = left_of(along);
   std::vector<Lane> here;
   for (std::size_t i = 0; i < count; ++i) {
     const Point2 at = from + spacing_m * static_cast<double>(i) * along;
@@ -106,8 +106,8 @@ class Mover {
   }
 
   std::vector<Point2> line_between(Point2 from_place, Point2 to_place, Point2 to) {
-    const Point2 along = (1 / norm(to_place - from_place)) * (to_place - from_place);
-    const Point2 left{-along.y_m, along.x_m};
+    const Point2 along = unit_towards(from_place, to_place);
+    const Point2 left = left_of(along);
     const Point2 from = pose().position();
     const double length_m = dot(to - from, along);
     const auto count = static_cast<std::size_t>(length_m / spacing_m) + 1;
@@ -177,7 +177,7 @@ Motion move_along(const Building& building, const RayCaster& walls, const Route&
   const auto stop_at = [&](PlaceId place, Point2 along) {
     const double ahead_m = between(-max_off_middle_m, max_off_middle_m, engine);
     const double left_m = between(-max_off_middle_m, max_off_middle_m, engine);
-    return position(place) + ahead_m * along + left_m * Point2{-along.y_m, along.x_m};
+    return position(place) + ahead_m * along + left_m * left_of(along);
   };
   std::vector<PlaceId> places{route.start};
   for (const PlaceArm& gateway : route.gateways) places.push_back(world.segments.at(gateway).place);
@@ -193,7 +193,7 @@ Motion move_along(const Building& building, const RayCaster& walls, const Route&
   for (std::size_t k = 1; k < places.size(); ++k) {
     const Point2 from = position(places[k - 1]);
     const Point2 to = position(places[k]);
-    mover.drive(from, to, stop_at(places[k], (1 / norm(to - from)) * (to - from)));
+    mover.drive(from, to, stop_at(places[k], unit_towards(from, to)));
     stops.push_back(mover.now());
     mover.look_round();
   }

@@ -11,6 +11,7 @@
 
 namespace asterism {
 
+/// How fast and how near to things a robot drives.
 struct MotionOptions {
   double step_s = 0.2;  ///< between two scans
   double speed_m_per_s = 0.5;

@@ -5,7 +5,7 @@
 
 namespace asterism {
 
-/// All are standard deviations.
+/// How wrong the wheels are: all standard deviations.
 struct OdometryOptions {
   double distance_share = 0.05;                      ///< of a travel's length
   double heading_rad_per_travel = 0.08726646259972;  ///< 5°, gathered while driving
@@ -14,9 +14,10 @@ struct OdometryOptions {
 };
 
 /// Where the wheels say the robot is. What a travel adds to the error is drawn as it begins and
-/// grows evenly with the way: wheels that are worn, a floor that is soft.
+/// grows evenly with the way: wheels that are worn, a floor that is soft. For one thread at a time.
 class Odometry {
  public:
+  /// @param start  odom_from_robot to begin with
   Odometry(const OdometryOptions& options, const Pose2& start, RandomEngine engine)
       : options_(options), odom_from_robot_(start), engine_(engine) {}
 
@@ -26,6 +27,7 @@ class Odometry {
   /// @param before_from_after  the robot's new frame in its old one
   void move(const Pose2& before_from_after);
 
+  /// Where the wheels say the robot is now.
   const Pose2& odom_from_robot() const noexcept { return odom_from_robot_; }
 
  private:

@@ -123,7 +123,7 @@ class Builder {
   void add_corridor(PlaceArm gateway, PlaceArm reached) {
     const Point2 from = place(gateway.place).position;
     const Point2 to = place(reached.place).position;
-    const Point2 along = (1 / norm(to - from)) * (to - from);
+    const Point2 along = unit_towards(from, to);
     const double width_m = width_m_.at(gateway);
     plan_.rooms.push_back(
         rectangle(from - mouth_m(gateway) * along, to + mouth_m(reached) * along, width_m));

@@ -8,6 +8,7 @@
 
 namespace asterism {
 
+/// How large an office block is, how its corridors run, and what stands in them.
 struct OfficeOptions {
   std::size_t columns = 4;  ///< of the grid on which corridors meet
   std::size_t rows = 3;

@@ -31,9 +31,8 @@ double People::length_m(PlaceArm gateway) const {
 Point2 People::position(const Walker& walker) const {
   const Point2 from = world_->places[walker.gateway.place.index()].position;
   const PlaceId reached = world_->segments.at(walker.gateway).place;
-  const Point2 way = world_->places[reached.index()].position - from;
-  const Point2 along = (1 / norm(way)) * way;
-  return from + walker.gone_m * along + walker.left_m * Point2{-along.y_m, along.x_m};
+  const Point2 along = unit_towards(from, world_->places[reached.index()].position);
+  return from + walker.gone_m * along + walker.left_m * left_of(along);
 }
 
 People::Walker People::turned_round(const Walker& walker) const {

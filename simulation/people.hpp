@@ -10,7 +10,8 @@
 
 namespace asterism {
 
-/// People who walk the corridors round a robot, in and out of doors that are never seen.
+/// People who walk the corridors round a robot, in and out of doors that are never seen. For one
+/// thread at a time.
 class People {
  public:
   /// @pre  the world has segments; it must outlive this
@@ -19,6 +20,7 @@ class People {
   /// Time goes by. Nobody walks into the robot: who comes near turns round, or is gone.
   void walk(double seconds, Point2 robot);
 
+  /// Where they are now, in the world's frame.
   const std::vector<Person>& positions() const noexcept { return positions_; }
 
  private:

@@ -57,7 +57,7 @@ double extent_m(Point point) {
 Stretch add_corridor(const Piece& piece, FloorPlan& plan) {
   const Point2 from = points[piece.from];
   const Point2 to = points[piece.to];
-  const Point2 along = (1 / norm(to - from)) * (to - from);
+  const Point2 along = unit_towards(from, to);
   const bool is_from_hall = piece.from == c;
   const bool is_to_hall = piece.to == c;
   const Point2 first =

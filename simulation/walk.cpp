@@ -134,9 +134,4 @@ Walk walk(const World& world, const WalkOptions& options, RandomEngine& engine) 
   return walk_along(world, route, options.disguised, engine);
 }
 
-Walk walk_through(const World& world, std::span<const PlaceId> places, bool disguised,
-                  RandomEngine& engine) {
-  return walk_along(world, route_through(world, places), disguised, engine);
-}
-
 }  // namespace asterism

@@ -17,6 +17,7 @@ enum class Policy {
   laps      ///< by the next gateway clockwise after the one entered by: round one face
 };
 
+/// How long a walk is, how it goes on, and what it tells.
 struct WalkOptions {
   std::size_t travels = 20;
   Policy policy = Policy::explore;
@@ -52,10 +53,5 @@ Walk walk_along(const World& world, const Route& route, bool disguised, RandomEn
 /// Walks a random route.
 /// @pre  the world has segments
 Walk walk(const World& world, const WalkOptions& options, RandomEngine& engine);
-
-/// Visits the given places in order.
-/// @throws std::invalid_argument if two that follow one another are not joined by a segment
-Walk walk_through(const World& world, std::span<const PlaceId> places, bool disguised,
-                  RandomEngine& engine);
 
 }  // namespace asterism

@@ -23,6 +23,7 @@ struct Corridor {
 /// Places joined by segments, connected, in the plane: x to the east, y to the north. A gateway
 /// without a segment belongs to a blind stub: one could travel there, but it leads to nowhere.
 struct World {
+  /// A place: where it is, and its star.
   struct Place {
     Point2 position;
     Star star;
@@ -34,13 +35,13 @@ struct World {
 /// The world of these corridors: its largest connected part, the first of equals, without places if
 /// there is none. A place is a point where corridors cross, bend or end; a point passed by one
 /// corridor alone is none. Where a corridor ends at a place, its other direction stands in the star
-/// with α = 0, as it would have gone on.                                       [DESIGN §1, §11]
+/// with α = 0, as it would have gone on.                                       [theory §1, §11]
 ///
 /// @pre  no two corridors share more than one point
 World make_world(const std::vector<Point2>& points, const std::vector<Corridor>& corridors);
 
 /// Whether no path of the world meets a place twice: what straight corridors guarantee, and the
-/// axioms ask for.                                                                [DESIGN §5 (8)]
+/// axioms ask for.                                                                [theory §5 (8)]
 bool paths_are_straight(const World& world);
 
 }  // namespace asterism

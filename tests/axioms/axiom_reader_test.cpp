@@ -172,7 +172,76 @@ TEST_CASE("every shipped axiom says where it is from, in words and as a formula"
     CHECK(axiom.words.ends_with("."));
     CHECK_FALSE(axiom.formula.empty());
   }
-  CHECK(axioms.preference() == std::vector<std::string>{"path", "place"});
+  CHECK(axioms.preference() == std::vector{Extent::path, Extent::place});
+}
+
+TEST_CASE("every shipped extent says where it is from, in words and as a formula", "[axioms]") {
+  const AxiomSet axioms = AxiomSet::shipped();
+  REQUIRE(axioms.extents().size() == all_extents.size());
+  for (const ExtentDeclaration& extent : axioms.extents()) {
+    INFO(extent.name);
+    CHECK(extent.known == extent_named(extent.name));
+    CHECK(extent.source.starts_with("["));
+    CHECK(extent.words.ends_with("."));
+    CHECK_FALSE(extent.formula.empty());
+  }
+}
+
+TEST_CASE("a preference that declares no extents means the shipped ones", "[axioms][extents]") {
+  AxiomFiles files = shipped_files();
+  const AxiomSet shipped = AxiomSet::parse(files);
+  files["preference.smt2"] = "(set-info :minimise (segment path))";
+  const AxiomSet axioms = AxiomSet::parse(files);
+  CHECK(axioms.is_shipped());
+  CHECK(axioms.preference() == std::vector{Extent::segment, Extent::path});
+  REQUIRE(axioms.extents().size() == shipped.extents().size());
+  for (const ExtentDeclaration& extent : axioms.extents())
+    CHECK(extent.terms == axioms.shipped_extent(extent.known.value()).terms);
+  CHECK(AxiomSet::parse(without_preference(files)).preference() == shipped.preference());
+}
+
+TEST_CASE("an extent of one's own is known by its name", "[axioms][extents]") {
+  const std::string end = "(set-info :extent (end ((q DState)) :where (ends q) (along q)))\n";
+  const auto parse = [](const std::string& text) {
+    AxiomFiles files = without_preference(shipped_files());
+    files["own.smt2"] = text;
+    return AxiomSet::parse(files);
+  };
+  const AxiomSet own = parse("(set-info :minimise (path end))\n" + end);
+  CHECK(own.minimises_own());
+  CHECK_FALSE(own.is_shipped());
+  CHECK(own.preference_names() == std::vector<std::string>{"path", "end"});
+  CHECK_FALSE(own.minimised().back().known);
+  CHECK(own.minimised().back().line == 2);
+  CHECK_THROWS_AS(own.preference(), std::logic_error);
+  // Declared, not minimised.
+  CHECK(parse(end).is_shipped());
+  CHECK(parse(end).extents().size() == 4);
+}
+
+TEST_CASE("a shipped name may be declared as shipped, or otherwise", "[axioms][extents]") {
+  const auto parse = [](const std::string& declaration) {
+    AxiomFiles files = shipped_files();
+    files["preference.smt2"] =
+        "(set-info :extent " + declaration + ")\n(set-info :minimise (place path))\n";
+    return AxiomSet::parse(files);
+  };
+  CHECK(parse("(path ((x DState)) (along x) (opp (along x)))").is_shipped());
+  const AxiomSet other = parse("(path ((q DState)) (along q))");
+  CHECK_FALSE(other.is_shipped());
+  CHECK(other.preference_names() == std::vector<std::string>{"place", "path (own)"});
+  CHECK(other.shipped_extent(Extent::path).terms.size() == 2);
+}
+
+TEST_CASE("without a word for the opposite direction, directed paths are counted",
+          "[axioms][extents]") {
+  AxiomFiles files = without_preference(with_axiom(shipped_files(), "turn_around"));
+  std::string& text = files["topological.smt2"];
+  const std::string declaration = "(declare-fun opp (DirectedPath) DirectedPath)";
+  text.erase(text.find(declaration), declaration.size());
+  const AxiomSet axioms = AxiomSet::parse(files);
+  CHECK(axioms.shipped_extent(Extent::path).terms.size() == 1);
+  CHECK(axioms.preference() == std::vector{Extent::path, Extent::place});
 }
 
 TEST_CASE("order of files, comments and names of variables do not make other axioms", "[axioms]") {

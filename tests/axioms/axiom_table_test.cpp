@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "axioms/axiom_solver.hpp"
-#include "engine/map_tree.hpp"
+#include "engine/tree/map_tree.hpp"
 #include "tests/axioms/ground_problems.hpp"
 #include "tests/support/axiom_files.hpp"
 #include "tests/support/catch.hpp"
@@ -85,8 +85,8 @@ std::string count(const Prefix& prefix, const AxiomFiles& files) {
   const auto known = std::find_if(all.begin(), all.end(), [&](const KnownTrace& other) {
     return other.trace.name == prefix.trace;
   });
-  MapTree tree({.check = Check::solver,
-                .axioms = AxiomSet::parse(files),
+  MapTree tree({.theory = {.axioms = AxiomSet::parse(files)},
+                .check = Check::solver,
                 .max_hypotheses = most_hypotheses});
   const auto growth = tree.extend(std::span(known->trace.visits).first(prefix.visits));
   REQUIRE(tree.undecided() == 0);

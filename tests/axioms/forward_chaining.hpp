@@ -8,13 +8,13 @@
 #include <tuple>
 #include <utility>
 
-#include "axioms/grounder.hpp"
+#include "axioms/fact.hpp"
 #include "core/verdict.hpp"
 
 namespace asterism {
 
 /// The shipped axioms written out in C++ as Horn clauses, and run until nothing is new: judges the
-/// axiom files and all that reads them.                                         [DESIGN §5]
+/// axiom files and all that reads them.                                         [theory §5]
 ///
 /// What is said of paths (travel, turn_around, on, order_on) derives equalities of directed paths
 /// and atoms of `on`, from which nothing else follows, so it is left out.

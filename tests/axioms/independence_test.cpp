@@ -46,7 +46,7 @@ Kind kind_of(const AxiomSet& axioms, const std::string& name) {
 
 std::set<std::string> axioms_of(const Independence& found) {
   std::set<std::string> result;
-  for (const Clash::Step& step : found.proof) result.insert(step.axiom);
+  for (const AxiomInstance& step : found.proof) result.insert(step.axiom);
   return result;
 }
 
@@ -303,6 +303,6 @@ TEST_CASE("a model is told in one line", "[axioms][independence]") {
         "along: q0 → π0; opp: π0 → π1, π1 → π0; place: q0 → p0; is_turn: turn_around, "
         "turn_clockwise; on: π0 p0; order: q0 q0");
   CHECK(found.failure == std::vector<std::string>{"q0", "q0"});
-  CHECK(step_text({"order", {{"q", "q"}, {"r", "place(s)"}}}) == "order(q, place(s))");
-  CHECK(step_text({"turns", {}}) == "turns");
+  CHECK(instance_text({"order", {{"q", "q"}, {"r", "place(s)"}}}) == "order(q, place(s))");
+  CHECK(instance_text({"turns", {}}) == "turns");
 }

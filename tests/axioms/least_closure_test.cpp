@@ -141,7 +141,7 @@ TEST_CASE("a travel and its way back are one segment", "[axioms][closure]") {
   CHECK(there.holds({"leads", {"t", "travel", "r"}}));
   CHECK_FALSE(there.holds({"leads", {"r", "travel", "t"}}));
   CHECK_FALSE(there.holds({"order", {"unheard", "of"}}));
-  CHECK(there.extents() == LeastClosure::Extents{.paths = 1, .places = 2, .segments = 1});
+  CHECK(there.extents() == Extents{.paths = 1, .places = 2, .segments = 1});
   facts.push_back({"leads", {"t", "travel", "r"}});
   CHECK(LeastClosure(axioms, facts).extents() == there.extents());
   // Round to where it began, by the other end of the path.
@@ -159,6 +159,35 @@ TEST_CASE("functions of equal terms are equal", "[axioms][closure]") {
       {"sees", {"q", "v0"}}, {"sees", {"r", "v0"}}, {"leads", {"q", "travel", "r"}}};
   CHECK(LeastClosure(axioms, facts).holds({"next", {"r", "q"}}));
   CHECK_FALSE(LeastClosure(axioms, std::span(facts).first(2)).holds({"next", {"r", "q"}}));
+}
+
+TEST_CASE("extents are counted as they are declared", "[axioms][closure][extents]") {
+  const auto [declaration, size] = GENERATE(table<std::string, std::size_t>({
+      {"((x DState)) x", 5},
+      {"((x DState)) (along x)", 3},
+      {"((x DState)) (opp (along x))", 3},
+      {"((x DState)) (along x) (opp (along x))", 2},
+      {"((x DState)) :where (ends x) x", 1},
+      {"((x DState)) :where (not (ends x)) x", 4},
+      {"((x DState) (y DState)) :where (leads x travel y) (place y)", 2},
+      {"((x DState) (y DState)) :where (leads x travel y) x y", 2},
+      {"((x DState) (y DState)) :where (and (not (ends x)) (= (along x) (along y)) (ends y)) x", 1},
+      {"((x DState) (y DState)) (place x) (place y)", 1},
+      {"((x DState)) :where (leads x travel x) x", 0},
+      {"((x DState)) :where (on (along x) (place x)) (place x)", 3},
+  }));
+  AxiomFiles files = shipped_files();
+  files["own.smt2"] = "(set-info :extent (own " + declaration + "))\n";
+  std::string& preference = files["preference.smt2"];
+  preference.replace(preference.find("(path place)"), 12, "(path own segment)");
+  INFO(declaration);
+  // One corridor of two places, ending in s, and a dstate o on another.
+  const std::vector<Fact> facts{{"opposite", {"q", "r"}},        {"opposite", {"r", "q"}},
+                                {"opposite", {"s", "t"}},        {"opposite", {"t", "s"}},
+                                {"leads", {"q", "travel", "s"}}, {"ends", {"s"}},
+                                {"is_turn", {"turn_around"}},    {"sees", {"o", "v0"}}};
+  CHECK(LeastClosure(AxiomSet::parse(files), facts).minimised() ==
+        std::vector<std::size_t>{2, size, 1});
 }
 
 TEST_CASE("where conclusions leave a choice there is no least closure", "[axioms][closure]") {

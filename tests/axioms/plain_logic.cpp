@@ -1,6 +1,6 @@
 #include "tests/axioms/plain_logic.hpp"
 
-#include <z3++.h>
+#include "axioms/bench/z3.hpp"
 
 namespace asterism {
 namespace {
@@ -132,15 +132,7 @@ Verdict verdict_of(const std::string& declarations, std::span<const std::string>
   z3::context context;
   z3::solver solver(context);
   solver.from_string(text.c_str());
-  switch (solver.check()) {
-    case z3::sat:
-      return Verdict::consistent;
-    case z3::unsat:
-      return Verdict::inconsistent;
-    case z3::unknown:
-      break;
-  }
-  return Verdict::undecided;
+  return verdict_of(solver.check());
 }
 
 Verdict plain_verdict(const AxiomSet& axioms, std::span<const Fact> facts) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "axioms/axiom_set.hpp"
-#include "axioms/grounder.hpp"
+#include "axioms/fact.hpp"
 #include "core/verdict.hpp"
 
 namespace asterism {

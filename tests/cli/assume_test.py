@@ -2,13 +2,11 @@
 
 import itertools
 import json
-import subprocess
 import sys
 import unittest
 
-from program import PROGRAM, SOURCE, Folder, run, shown_in
+from program import TRACES, Folder, ProgramTest, run, shown_in
 
-TRACES = SOURCE / "tests/traces"
 ACES = TRACES / "aces-stubs.trace.json"
 
 
@@ -134,10 +132,8 @@ class Runs(Folder):
 
 
 class BadInput(Folder):
-    def refused(self, code, *arguments):
-        done = run(*arguments)
-        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
-        return done.stderr
+    def refused(self, code, *arguments, said=r"^asterism: "):
+        return super().refused(code, *arguments, said=said)
 
     def test_points_at_the_character(self):
         for command in (["map"], ["query", "same(0,1)"]):
@@ -158,14 +154,10 @@ class BadInput(Folder):
         self.assertRegex(message, r"^asterism: .*exclude[^\n]*\n$")
 
 
-class Docs(unittest.TestCase):
+class Docs(ProgramTest):
     def test_what_they_show_is_what_comes_out(self):
         shown = [one for one in shown_in("docs/queries.md", "map", "query") if "--assume" in one[0]]
-        self.assertGreaterEqual(len(shown), 1)
-        for command, output in shown:
-            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
-                                  timeout=300)
-            self.assertEqual(done.stdout.rstrip(), output, command)
+        self.check_shown(shown)
 
 
 if __name__ == "__main__":

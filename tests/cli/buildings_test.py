@@ -142,6 +142,12 @@ class Buildings(unittest.TestCase):
         self.assertLessEqual(position_m, 0.3)
         self.assertLessEqual(heading_rad, math.radians(2))
 
+    def test_no_two_places_of_a_true_map_share_a_spot(self):
+        shared = [(one.seed, one.ranked["shared_spots"]) for one in self.true
+                  if "shared_spots" in one.ranked]  # fmt: skip
+        print(f"{len(self.true)} true maps; of these with two places on one spot: {shared}")
+        self.assertEqual(shared, [])
+
     def test_covariances_are_honest(self):
         misfits = [one.last_place_misfit() for one in self.true]
         mean = sum(misfits) / len(misfits)

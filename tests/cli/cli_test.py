@@ -10,17 +10,11 @@ import time
 import unittest
 import xml.etree.ElementTree as xml
 
-from program import PROGRAM, SOURCE, Folder, run, shown_in, shown_in_readme
+from program import (PROGRAM, SOURCE, TRACES, BigTrace, Folder, ProgramTest, run, shown_in,
+                     shown_in_readme, trace_text)
 
-TRACES = SOURCE / "tests/traces"
 EXPECTED = json.loads((TRACES / "expected.json").read_text())
 ACES = str(TRACES / "aces-stubs.trace.json")
-
-
-def trace(*visits):
-    return json.dumps(
-        {"format": "asterism/trace", "version": 1, "name": "t", "visits": list(visits)}
-    )
 
 
 class Maps(Folder):
@@ -80,7 +74,7 @@ class Maps(Folder):
 
     def test_no_map(self):
         # Back along the only segment there is a dead end; it cannot have become a crossing.
-        contradiction = trace(
+        contradiction = trace_text(
             {"star": "a+1 a-0", "left_by": "a+"},
             {"star": "a+1 b+1 a-1 b-1", "entered_by": "a+", "left_by": "a+"},
             {"star": "a+1 b+1 a-1 b-1", "entered_by": "a+"},
@@ -98,17 +92,11 @@ class Maps(Folder):
         self.assertIn("107 maps explain the trace", done.stdout)
 
     def test_one_visit(self):
-        file = self.file("one.trace.json", trace({"star": "a+1 a-0"}))
+        file = self.file("one.trace.json", trace_text({"star": "a+1 a-0"}))
         self.assertIn("1 map explains the trace", run("map", file).stdout)
 
 
-class Limits(Folder):
-    def setUp(self):
-        super().setUp()
-        self.big = self.folder / "big.trace.json"
-        made = run("simulate", "--seed", "8", "--travels", "60", "--missing", "0", "-o", self.big)
-        self.assertEqual(made.returncode, 0)
-
+class Limits(BigTrace):
     def stopped(self, *limit):
         done = run("map", self.big, "--json", "-", *limit)
         maps = json.loads(done.stdout)
@@ -135,7 +123,7 @@ class Limits(Folder):
         star = "a+1 b+1 a-1 b-1"
         straight = [{"star": star, "left_by": "a+"}]
         straight += [{"star": star, "entered_by": "a-", "left_by": "a+"}] * 199
-        file = self.file("straight.trace.json", trace(*straight))
+        file = self.file("straight.trace.json", trace_text(*straight))
         begin = time.monotonic()
         self.assertIn("not certified within 0.1 s", run("map", file, "--certify", "0.1").stdout)
         self.assertLess(time.monotonic() - begin, 20)
@@ -162,8 +150,7 @@ class Axioms(Folder):
         self.assertEqual(self.count("--axiom", "one_crossing", "--planar"), 45)
 
     def test_a_folder_of_ones_own(self):
-        folder = self.folder / "axioms"
-        shutil.copytree(SOURCE / "axioms", folder, ignore=shutil.ignore_patterns("*.?pp"))
+        folder = self.own_axioms()
         self.assertEqual(self.count("--axioms", folder), 83)
         topological = folder / "topological.smt2"
         text = topological.read_text()
@@ -175,8 +162,7 @@ class Axioms(Folder):
         self.assertIn("expected --check solver", refused.stderr)
 
     def test_terms_without_end_are_refused(self):
-        folder = self.folder / "axioms"
-        shutil.copytree(SOURCE / "axioms", folder, ignore=shutil.ignore_patterns("*.?pp"))
+        folder = self.own_axioms()
         (folder / "own.smt2").write_text(
             "(assert (! (forall ((d DirectedPath) (p Place)) (=> (on d p) (on (opp d) p)))\n"
             " :named both_ways))")
@@ -185,8 +171,7 @@ class Axioms(Folder):
         self.assertIn("own.smt2:1: found terms of opp without end", done.stderr)
 
     def test_another_preference(self):
-        folder = self.folder / "axioms"
-        shutil.copytree(SOURCE / "axioms", folder, ignore=shutil.ignore_patterns("*.?pp"))
+        folder = self.own_axioms()
         preference = folder / "preference.smt2"
         preference.write_text("(set-info :minimise (place path))\n")
         done = run("map", TRACES / "grid-3x3.trace.json", "--axioms", folder, "--json", "-")
@@ -277,14 +262,8 @@ class Simulations(Folder):
 
 
 class BadInput(Folder):
-    def refused(self, code, *arguments):
-        done = run(*arguments)
-        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
-        self.assertRegex(done.stderr, r"^asterism: [^\n]+\n$")
-        return done.stderr
-
     def test_traces(self):
-        bad = self.file("bad.trace.json", trace({"star": "a+1 a-0", "left_by": "a-"}))
+        bad = self.file("bad.trace.json", trace_text({"star": "a+1 a-0", "left_by": "a-"}))
         message = self.refused(65, "map", bad, "--json", self.folder / "out.json")
         self.assertRegex(message, r"bad\.trace\.json:/visits/0/left_by: found .*; expected ")
         self.assertFalse((self.folder / "out.json").exists())
@@ -325,11 +304,9 @@ class BadInput(Folder):
 
     def test_a_result_that_got_lost(self):
         for arguments in (["map", ACES, "--json", "-"], ["map", ACES], ["simulate"], ["axioms"]):
-            with self.subTest(arguments=arguments), open("/dev/full", "w") as full:
-                done = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE,
-                                      text=True, timeout=300)
-                self.assertEqual(done.returncode, 70)
-                self.assertRegex(done.stderr, r"^asterism: stdout: found [^\n]+\n$")
+            with self.subTest(arguments=arguments):
+                self.assertRegex(self.check_lost_result(*arguments),
+                                 r"^asterism: stdout: found [^\n]+\n$")
 
     def test_validate_goes_on_after_a_bad_file(self):
         bad = self.file("bad.trace.json", "{")
@@ -360,6 +337,14 @@ class Readme(Folder):
                                   timeout=300)
             self.assertEqual(done.stdout.rstrip(), output, command)
 
+    def test_the_figures_to_reproduce_are_what_comes_out(self):
+        shown = shown_in("docs/reproduce.md", "map", "test")
+        self.assertEqual(len(shown), 2)
+        for command, output in shown:
+            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
+                                  timeout=300)
+            self.assertTrue(done.stdout.startswith(output + "\n"), command)
+
     def test_its_pictures_are_what_comes_out(self):
         run("map", SOURCE / "examples/aces-stubs.trace.json", "--planar", "--svg", self.folder)
         for shown, drawn in (("aces-planar", "model-0"), ("aces-hypotheses", "hypotheses")):
@@ -367,12 +352,10 @@ class Readme(Folder):
                              (self.folder / f"{drawn}.svg").read_text())
 
 
-class Help(unittest.TestCase):
+class Help(ProgramTest):
     def test_each_command_has_examples(self):
         for command in ("map", "simulate", "axioms", "validate"):
-            done = run(command, "--help")
-            self.assertEqual(done.returncode, 0)
-            self.assertRegex(done.stdout, rf"Examples:\s+asterism {command}")
+            self.check_help(command)
 
     def test_version_names_the_libraries(self):
         done = run("--version")

@@ -8,7 +8,7 @@ import pathlib
 import sys
 import unittest
 
-from program import SOURCE, Folder, run
+from program import SOURCE, Folder, ProgramTest, run
 
 DATA = pathlib.Path(os.environ.get("ASTERISM_DATA", SOURCE / "../shared/data"))
 
@@ -112,37 +112,31 @@ class Relations(Folder):
 
 
 class BadInput(Folder):
-    def refused(self, code, *arguments):
-        done = run("evaluate", *arguments)
-        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
-        self.assertRegex(done.stderr, r"^asterism: [^\n]+\n$")
-        return done.stderr
-
     def test_usage(self):
         t = self.file("t.tum", tum(DRIVE))
         for arguments in ([], [t], ["--relations", t], [t, "--relations", t, "--reference", t],
                           [t, "--reference"], [t, "--unknown"]):
             with self.subTest(arguments=arguments):
-                self.refused(64, *arguments)
+                self.refused(64, "evaluate", *arguments)
 
     def test_files(self):
         t = self.file("t.tum", tum(DRIVE))
         bad = self.file("bad.txt", "1 2 3\n")
         missing = self.folder / "missing"
         for known in ("--relations", "--reference"):
-            self.assertIn("bad.txt:1: found the end of the line", self.refused(65, t, known, bad))
-            self.assertIn("bad.txt:1: found", self.refused(65, bad, known, t))
-            self.assertIn("missing: found no such file", self.refused(65, t, known, missing))
-            self.assertIn("found a directory", self.refused(65, t, known, self.folder))
+            self.assertIn("bad.txt:1: found the end of the line", self.refused(65, "evaluate", t, known, bad))
+            self.assertIn("bad.txt:1: found", self.refused(65, "evaluate", bad, known, t))
+            self.assertIn("missing: found no such file", self.refused(65, "evaluate", t, known, missing))
+            self.assertIn("found a directory", self.refused(65, "evaluate", t, known, self.folder))
 
     def test_no_stamp_in_common(self):
         t = self.file("t.tum", tum(DRIVE))
         later = self.file("later.tum", tum([(t + 100, x, y, h) for t, x, y, h in DRIVE]))
         self.assertIn("later.tum: found no stamp of the trajectory's; expected stamps within "
-                      "10.000000 to 12.000000 s", self.refused(65, t, "--reference", later))
+                      "10.000000 to 12.000000 s", self.refused(65, "evaluate", t, "--reference", later))
         relations = self.file("r.relations", "110 111 0 0 0 0 0 0\n")
         self.assertIn("r.relations: found no relation between two of the trajectory's stamps",
-                      self.refused(65, t, "--relations", relations))
+                      self.refused(65, "evaluate", t, "--relations", relations))
 
 
 class Validate(Folder):
@@ -186,11 +180,9 @@ class Validate(Folder):
             self.assertIn(text, done.stdout)
 
 
-class Help(unittest.TestCase):
+class Help(ProgramTest):
     def test_it_has_examples(self):
-        done = run("evaluate", "--help")
-        self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stdout, r"Examples:\s+asterism evaluate")
+        self.check_help("evaluate")
 
 
 if __name__ == "__main__":

@@ -4,15 +4,13 @@ import json
 import sys
 import unittest
 
-from program import SOURCE, Folder, run, shown_in, shown_in_readme
+from program import SOURCE, TRACES, Folder, as_json, no_map_text, run, shown_in, shown_in_readme
 
-TRACES = SOURCE / "tests/traces"
 ACES = TRACES / "aces-stubs.trace.json"
 
 
 def explained(*arguments):
-    done = run("explain", *arguments, "--json", "-")
-    return done.returncode, json.loads(done.stdout)
+    return as_json("explain", *arguments)
 
 
 def kinds(clash):
@@ -83,11 +81,7 @@ class Clashes(Folder):
         self.assertGreater(decided, 1)
 
     def test_a_trace_that_no_map_explains(self):
-        dead_end = {"star": "a+1 a-0", "left_by": "a+"}
-        crossing = {"star": "a+1 b+1 a-1 b-1", "entered_by": "a+", "left_by": "a+"}
-        file = self.file("no.trace.json", json.dumps(
-            {"format": "asterism/trace", "version": 1, "name": "no",
-             "visits": [dead_end, crossing, crossing]}))
+        file = self.file("no.trace.json", no_map_text())
         done = run("explain", file, "same(0, 0)")
         self.assertEqual(done.returncode, 1)
         self.assertTrue(done.stdout.startswith(

@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from program import PROGRAM, SOURCE, Folder, run
+from program import PROGRAM, SOURCE, Folder, as_json, run, trace_text
 
 FULL = "--full" in sys.argv
 KILLS = 50 if FULL else 4
@@ -20,8 +20,7 @@ SQUARE = SOURCE / "examples" / "05_square.trace.json"
 
 
 def report(*arguments):
-    done = run("map", *arguments, "--json", "-")
-    return done.returncode, json.loads(done.stdout)
+    return as_json("map", *arguments)
 
 
 def hub(arms):
@@ -41,9 +40,7 @@ def hub(arms):
         visits.append({"star": star, "left_by": name} | ({"entered_by": names[i - 1]} if i else {}))
         visits.append({"star": "c+1 d+1 c-1 d-1", "entered_by": "c+", "left_by": "c+"})
     del visits[-1]["left_by"]
-    return json.dumps(
-        {"format": "asterism/trace", "version": 1, "name": f"hub-{arms}", "visits": visits}
-    )
+    return trace_text(*visits, name=f"hub-{arms}")
 
 
 class Search(Folder):
@@ -71,10 +68,7 @@ class Minimal(Search):
                 self.assertNotIn("method", listed["options"])
 
     def test_the_preference_of_a_folder_of_axioms_counts(self):
-        folder = self.folder / "axioms"
-        folder.mkdir()
-        for file in (SOURCE / "axioms").glob("*.smt2"):
-            (folder / file.name).write_text(file.read_text())
+        folder = self.own_axioms()
         preference = (folder / "preference.smt2").read_text()
         self.assertIn("(path place)", preference)
         (folder / "preference.smt2").write_text(preference.replace("path place", "place path"))
@@ -85,10 +79,7 @@ class Minimal(Search):
         self.assertEqual(found["options"]["method"], "search")
 
     def test_what_the_search_does_not_know_is_listed_and_said(self):
-        folder = self.folder / "axioms"
-        folder.mkdir()
-        for file in (SOURCE / "axioms").glob("*.smt2"):
-            (folder / file.name).write_text(file.read_text())
+        folder = self.own_axioms()
         topological = (folder / "topological.smt2").read_text()
         end = topological.index(":named axiom.irreflexive))") + len(":named axiom.irreflexive))")
         begin = topological.rindex("(assert", 0, end)

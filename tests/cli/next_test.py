@@ -3,23 +3,20 @@
 import copy
 import json
 import pathlib
-import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 
-from program import PROGRAM, SOURCE, Folder, run, shown_in, shown_in_readme, view
+from program import (SOURCE, TRACES, BigTrace, Folder, ProgramTest, as_json, no_map_text, run,
+                     shown_in, view)
 
-TRACES = SOURCE / "tests/traces"
 ACES = TRACES / "aces-stubs.trace.json"
 STRANGE = "a+1 b+1 c+1 d+1 e+1 f+1 a-1 b-1 c-1 d-1 e-1 f-1"
 
 
 def found(*arguments):
-    done = run("next", *arguments, "--json", "-")
-    return done.returncode, json.loads(done.stdout)
+    return as_json("next", *arguments)
 
 
 def consistent(file, *arguments):
@@ -211,13 +208,7 @@ class TellingApart(Folder):
         self.assertIn("no row of travels is sure to tell them all apart", run("next", corridors).stdout)
 
 
-class Limits(Folder):
-    def setUp(self):
-        super().setUp()
-        self.big = self.folder / "big.trace.json"
-        made = run("simulate", "--seed", "8", "--travels", "60", "--missing", "0", "-o", self.big)
-        self.assertEqual(made.returncode, 0)
-
+class Limits(BigTrace):
     def test_undecided(self):
         for limit in (["--max-hypotheses", "1000"], ["--time-limit", "0"]):
             with self.subTest(limit=limit):
@@ -233,11 +224,7 @@ class Limits(Folder):
         self.assertEqual(run("next", ACES, *limits).stdout, run("next", ACES).stdout)
 
     def test_no_map(self):
-        dead_end = {"star": "a+1 a-0", "left_by": "a+"}
-        crossing = {"star": "a+1 b+1 a-1 b-1", "entered_by": "a+", "left_by": "a+"}
-        file = self.file("no.trace.json", json.dumps(
-            {"format": "asterism/trace", "version": 1, "name": "no",
-             "visits": [dead_end, crossing, crossing]}))
+        file = self.file("no.trace.json", no_map_text())
         done = run("next", file)
         self.assertEqual((done.returncode, done.stdout),
                          (1, "no map explains the trace: none is left after visit 2\n"))
@@ -247,12 +234,6 @@ class Limits(Folder):
 
 
 class Files(Folder):
-    def refused(self, code, *arguments):
-        done = run("next", *arguments)
-        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
-        self.assertRegex(done.stderr, r"^asterism: [^\n]+\n$")
-        return done.stderr
-
     def test_same_bytes_and_both_outputs(self):
         file = self.folder / "exits.json"
         first = run("next", ACES, "--json", "-").stdout
@@ -276,10 +257,9 @@ class Files(Folder):
         self.assertEqual(run("next", ACES, "--svg", "/dev/null/exits.svg").returncode, 70)
 
     def test_bad_input(self):
-        self.refused(65, self.folder / "missing.trace.json")
-        self.refused(65, ACES, "--axiom", "no_such")
-        folder = self.folder / "axioms"
-        shutil.copytree(SOURCE / "axioms", folder, ignore=shutil.ignore_patterns("*.?pp"))
+        self.refused(65, "next", self.folder / "missing.trace.json")
+        self.refused(65, "next", ACES, "--axiom", "no_such")
+        folder = self.own_axioms()
         same = run("next", ACES, "--axioms", folder)
         self.assertEqual((same.returncode, same.stdout), (0, run("next", ACES).stdout))
         topological = folder / "topological.smt2"
@@ -287,31 +267,21 @@ class Files(Folder):
         topological.write_text(text[:text.index("(assert (! (forall ((q DState) (r DState) (s DState))")])
         for check in ([], ["--check", "solver"]):
             self.assertIn("--axioms: found other axioms",
-                          self.refused(65, ACES, "--axioms", folder, *check))
+                          self.refused(65, "next", ACES, "--axioms", folder, *check))
 
     def test_usage(self):
         for arguments in ([], [ACES, ACES], [ACES, "--max-travels", "0"], [ACES, "--max-travels", "x"],
                           [ACES, "--max-hypotheses", "-1"], [ACES, "--time-limit", "x"]):
             with self.subTest(arguments=arguments):
-                self.refused(64, *arguments)
+                self.refused(64, "next", *arguments)
 
     def test_a_result_that_got_lost(self):
-        with open("/dev/full", "w") as full:
-            done = subprocess.run([PROGRAM, "next", ACES], stdout=full, stderr=subprocess.PIPE,
-                                  text=True, timeout=300)
-        self.assertEqual(done.returncode, 70)
+        self.check_lost_result("next", ACES)
 
 
-class Docs(unittest.TestCase):
+class Docs(ProgramTest):
     def test_what_they_show_is_what_comes_out(self):
-        shown = shown_in("docs/next.md", "next")
-        self.assertGreaterEqual(len(shown), 2)
-        in_readme = shown_in_readme("next")
-        self.assertTrue(in_readme)
-        for command, output in shown + in_readme:
-            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
-                                  timeout=300)
-            self.assertEqual((done.stdout + done.stderr).rstrip(), output, command)
+        self.check_shown(shown_in("docs/next.md", "next"), 2)
 
     def test_their_picture_is_drawn_so(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -320,9 +290,7 @@ class Docs(unittest.TestCase):
             self.assertEqual((SOURCE / "docs/aces-exits.svg").read_text(), file.read_text())
 
     def test_help_has_examples(self):
-        done = run("next", "--help")
-        self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stdout, r"Examples:\s+asterism next")
+        self.check_help("next")
 
 
 if __name__ == "__main__":

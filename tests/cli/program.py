@@ -1,20 +1,44 @@
 """What the tests of the program share: TEST.py PROGRAM SOURCE_FOLDER [unittest options]."""
 
+import json
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
 
 PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+TRACES = SOURCE / "tests/traces"
+ONE_LINE = r"^asterism: [^\n]+\n$"
 
 
 def run(*arguments, stdin=None):
     return subprocess.run(
         [PROGRAM, *map(str, arguments)], capture_output=True, text=True, input=stdin, timeout=600
     )
+
+
+def as_json(*arguments):
+    """The exit code, and what is written as JSON."""
+    done = run(*arguments, "--json", "-")
+    return done.returncode, json.loads(done.stdout)
+
+
+def trace_text(*visits, name="t"):
+    """A trace file with these visits."""
+    return json.dumps(
+        {"format": "asterism/trace", "version": 1, "name": name, "visits": list(visits)}
+    )
+
+
+def no_map_text():
+    """A trace file that no map explains: a dead end, where it seems to be left by, has a crossing."""
+    dead_end = {"star": "a+1 a-0", "left_by": "a+"}
+    crossing = {"star": "a+1 b+1 a-1 b-1", "entered_by": "a+", "left_by": "a+"}
+    return trace_text(dead_end, crossing, crossing, name="no")
 
 
 def shown_in_readme(*subcommands):
@@ -47,7 +71,37 @@ def arm_number(star, name):
     return None if name is None else [arm[:-1] for arm in star.split()].index(name)
 
 
-class Folder(unittest.TestCase):
+class ProgramTest(unittest.TestCase):
+    def refused(self, code, *arguments, said=ONE_LINE):
+        """Checks that this is refused with nothing but a message, and returns the message."""
+        done = run(*arguments)
+        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
+        self.assertRegex(done.stderr, said)
+        return done.stderr
+
+    def check_lost_result(self, *arguments):
+        """Checks that it is an error when what is printed gets lost, and returns the message."""
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([PROGRAM, *map(str, arguments)], stdout=full,
+                                  stderr=subprocess.PIPE, text=True, timeout=300)
+        self.assertEqual(done.returncode, 70)
+        return done.stderr
+
+    def check_shown(self, shown, at_least=1, folder=SOURCE):
+        """Checks that commands print what a page says they do."""
+        self.assertGreaterEqual(len(shown), at_least)
+        for command, output in shown:
+            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=folder,
+                                  timeout=600)
+            self.assertEqual((done.stdout + done.stderr).rstrip(), output, command)
+
+    def check_help(self, command):
+        done = run(command, "--help")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, rf"Examples:\s+asterism {command}")
+
+
+class Folder(ProgramTest):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -57,3 +111,19 @@ class Folder(unittest.TestCase):
         path = self.folder / name
         path.write_text(text)
         return path
+
+    def own_axioms(self, name="axioms"):
+        """A folder of one's own with the axioms as shipped."""
+        folder = self.folder / name
+        shutil.copytree(SOURCE / "axioms", folder, ignore=shutil.ignore_patterns("*.?pp", "*.txt"))
+        return folder
+
+
+class BigTrace(Folder):
+    """With a walk that has far too many maps to list."""
+
+    def setUp(self):
+        super().setUp()
+        self.big = self.folder / "big.trace.json"
+        made = run("simulate", "--seed", "8", "--travels", "60", "--missing", "0", "-o", self.big)
+        self.assertEqual(made.returncode, 0)

@@ -3,19 +3,17 @@
 import json
 import re
 import shutil
-import subprocess
 import sys
 import unittest
 
-from program import PROGRAM, SOURCE, Folder, run, shown_in, shown_in_readme
+from program import (ONE_LINE, SOURCE, TRACES, BigTrace, Folder, ProgramTest, as_json, run, shown_in,
+                     shown_in_readme)
 
-TRACES = SOURCE / "tests/traces"
 ACES = TRACES / "aces-stubs.trace.json"
 
 
 def answers(*arguments):
-    done = run("query", *arguments, "--json", "-")
-    return done.returncode, json.loads(done.stdout)
+    return as_json("query", *arguments)
 
 
 class Answers(Folder):
@@ -229,13 +227,7 @@ class Routes(Folder):
                          (1, "route(0, 2): impossible, since there is no map"))
 
 
-class Limits(Folder):
-    def setUp(self):
-        super().setUp()
-        self.big = self.folder / "big.trace.json"
-        made = run("simulate", "--seed", "8", "--travels", "60", "--missing", "0", "-o", self.big)
-        self.assertEqual(made.returncode, 0)
-
+class Limits(BigTrace):
     def test_undecided(self):
         for limit in (["--max-hypotheses", "1000"], ["--time-limit", "0"]):
             with self.subTest(limit=limit):
@@ -257,10 +249,8 @@ class Limits(Folder):
 
 
 class BadInput(Folder):
-    def refused(self, code, *arguments):
-        done = run("query", *arguments)
-        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
-        return done.stderr
+    def refused(self, code, *arguments, said=r"^asterism: "):
+        return super().refused(code, "query", *arguments, said=said)
 
     def test_a_text_that_is_no_query(self):
         # Told before the trace is read, and nothing is written.
@@ -296,26 +286,16 @@ class BadInput(Folder):
                           [ACES, "same(0, 1)", "--max-hypotheses", "-1"],
                           [ACES, "same(0, 1)", "--time-limit", "x"], [ACES, "same(0, 1)", "--all"]):
             with self.subTest(arguments=arguments):
-                self.assertRegex(self.refused(64, *arguments), r"^asterism: [^\n]+\n$")
+                self.refused(64, *arguments, said=ONE_LINE)
 
     def test_a_result_that_got_lost(self):
-        with open("/dev/full", "w") as full:
-            done = subprocess.run([PROGRAM, "query", ACES, "same(0, 1)"], stdout=full,
-                                  stderr=subprocess.PIPE, text=True, timeout=300)
-        self.assertEqual(done.returncode, 70)
+        self.check_lost_result("query", ACES, "same(0, 1)")
 
 
-class Docs(unittest.TestCase):
-    def check(self, shown, at_least):
-        self.assertGreaterEqual(len(shown), at_least)
-        for command, output in shown:
-            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
-                                  timeout=300)
-            self.assertEqual((done.stdout + done.stderr).rstrip(), output, command)
-
+class Docs(ProgramTest):
     def test_what_they_show_is_what_comes_out(self):
-        self.check(shown_in("docs/queries.md", "query"), 3)
-        self.check(shown_in_readme("query"), 3)
+        self.check_shown(shown_in("docs/queries.md", "query"), 5)
+        self.check_shown(shown_in_readme("query"))
 
     def test_every_word_of_the_grammar_is_read(self):
         page = (SOURCE / "docs/queries.md").read_text()
@@ -327,9 +307,7 @@ class Docs(unittest.TestCase):
             self.assertIn(run("query", ACES, text).returncode, (0, 1), text)
 
     def test_help_has_examples(self):
-        done = run("query", "--help")
-        self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stdout, r"Examples:\s+asterism query")
+        self.check_help("query")
 
 
 if __name__ == "__main__":

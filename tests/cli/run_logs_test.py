@@ -6,10 +6,11 @@ run_logs_test.py PROGRAM SOURCE_FOLDER [unittest options]
 import json
 import os
 import pathlib
+import subprocess
 import sys
 import unittest
 
-from program import SOURCE, Folder, run
+from program import PROGRAM, SOURCE, Folder, run, shown_in
 
 DATA = pathlib.Path(os.environ.get("ASTERISM_DATA", SOURCE / "../shared/data"))
 TRUE_ACES = [0, 1, 2, 3, 4, 5, 6, 7, 0, 8, 4, 8, 6, 8, 2]  # data/aces/places.md
@@ -54,6 +55,17 @@ class Logs(Folder):
     def test_duke_loop5(self):
         code, found = self.mapped("duke_loop5")
         self.assertEqual((code, found["scans"]), (0, 551))
+
+    @unittest.skipUnless((DATA / "intel").exists(), "the data are not here")
+    def test_the_page_shows_what_comes_out(self):
+        shown = shown_in("docs/reproduce.md", "run", "evaluate")
+        self.assertEqual(len(shown), 4)
+        for command, output in shown:
+            there = [DATA / word.split(".")[0] / word if word.endswith(".xz") else word
+                     for word in command]
+            done = subprocess.run([PROGRAM, *there], capture_output=True, text=True,
+                                  cwd=self.folder, timeout=1000)
+            self.assertEqual(done.stdout.rstrip(), output, command)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import sys
 import unittest
 import xml.etree.ElementTree as xml
 
-from program import PROGRAM, SOURCE, Folder, run, shown_in
+from program import SOURCE, Folder, ProgramTest, as_json, run, shown_in
 
 SQUARE = SOURCE / "examples/05_square.trace.json"
 
@@ -19,8 +19,7 @@ def experience(text, name="t"):
 
 
 def maps_of(*arguments):
-    done = run("map", *arguments, "--json", "-")
-    return done.returncode, json.loads(done.stdout)
+    return as_json("map", *arguments)
 
 
 class Maps(Folder):
@@ -136,12 +135,6 @@ class Limits(Folder):
 
 
 class BadInput(Folder):
-    def refused(self, code, *arguments):
-        done = run(*arguments)
-        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
-        self.assertEqual(done.stderr.count("\n"), 1)
-        return done.stderr
-
     def test_what_needs_stars_refuses_it_in_one_line(self):
         self.assertEqual(self.refused(65, "query", SQUARE, "same(0, 1)"),
                          f'asterism: {SQUARE}:/kind: found "ssh"; expected "hssh", a trace with '
@@ -157,14 +150,9 @@ class BadInput(Folder):
         self.assertIn(":/experience/1: found \"fly\"; expected an action", self.refused(65, "map", trace))
 
 
-class Docs(unittest.TestCase):
+class Docs(ProgramTest):
     def test_what_they_show_is_what_comes_out(self):
-        shown = shown_in("docs/ssh.md", "map")
-        self.assertGreaterEqual(len(shown), 1)
-        for command, output in shown:
-            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
-                                  timeout=300)
-            self.assertEqual((done.stdout + done.stderr).rstrip(), output, command)
+        self.check_shown(shown_in("docs/ssh.md", "map"))
 
     def test_the_trace_they_show_is_the_example(self):
         page = (SOURCE / "docs/ssh.md").read_text()

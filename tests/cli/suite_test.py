@@ -1,17 +1,14 @@
 """Suites of traces, on the command line: suite_test.py PROGRAM SOURCE_FOLDER [unittest options]."""
 
 import json
-import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree as xml
 
-from program import PROGRAM, SOURCE, Folder, run, shown_in_readme
+from program import SOURCE, TRACES, Folder, ProgramTest, run, shown_in
 
-TRACES = SOURCE / "tests/traces"
 NAMES = sorted(file.name[: -len(".trace.json")] for file in TRACES.glob("*.trace.json"))
 
 
@@ -327,10 +324,7 @@ class BadInput(Suite):
 
     def test_a_result_that_got_lost(self):
         self.copy("square-three-laps")
-        with open("/dev/full", "w") as full:
-            done = subprocess.run([PROGRAM, "test", self.suite], stdout=full,
-                                  stderr=subprocess.PIPE, text=True, timeout=300)
-        self.assertEqual(done.returncode, 70)
+        self.check_lost_result("test", self.suite)
 
     def test_names_are_quoted_in_xml(self):
         name = 'a<b>&"c'
@@ -348,19 +342,12 @@ class BadInput(Suite):
                          "the end; expected ','\n")
 
 
-class Docs(unittest.TestCase):
+class Docs(ProgramTest):
     def test_help_has_examples(self):
-        done = run("test", "--help")
-        self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stdout, r"Examples:\s+asterism test")
+        self.check_help("test")
 
-    def test_what_the_readme_shows_is_what_comes_out(self):
-        shown = shown_in_readme("test")
-        self.assertTrue(shown)
-        for command, output in shown:
-            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=SOURCE,
-                                  timeout=300)
-            self.assertEqual((done.stdout + done.stderr).rstrip(), output, command)
+    def test_what_they_show_is_what_comes_out(self):
+        self.check_shown(shown_in("docs/formats.md", "test"))
 
     def test_the_file_shown_is_one(self):
         page = (SOURCE / "docs/formats.md").read_text()

@@ -3,12 +3,10 @@
 import itertools
 import json
 import re
-import shutil
-import subprocess
 import sys
 import unittest
 
-from program import PROGRAM, SOURCE, Folder, run
+from program import SOURCE, Folder, as_json, run
 
 ACES = SOURCE / "examples/aces-stubs.trace.json"
 NO_LOOP = """; no_loop   [mine]
@@ -22,8 +20,7 @@ STAY = """(assert (! (forall ((q DState) (r DState)) (=> (order q r) (= (place q
 
 
 def verify(*arguments):
-    done = run("verify", *arguments, "--json", "-")
-    return done.returncode, json.loads(done.stdout)
+    return as_json("verify", *arguments)
 
 
 def read(text):
@@ -195,10 +192,7 @@ class Shipped(Folder):
 class WithAxioms(Folder):
     def setUp(self):
         super().setUp()
-        self.axioms = self.folder / "axioms"
-        self.axioms.mkdir()
-        for file in SOURCE.glob("axioms/*.smt2"):
-            shutil.copy(file, self.axioms)
+        self.axioms = self.own_axioms()
 
     def replace(self, name, replacement=""):
         for file in self.axioms.glob("*.smt2"):
@@ -292,28 +286,19 @@ class Own(WithAxioms):
 
 
 class BadInput(Folder):
-    def refused(self, code, *arguments):
-        done = run("verify", *arguments)
-        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
-        self.assertRegex(done.stderr, r"^asterism: [^\n]+\n$")
-        return done.stderr
-
     def test_files_and_usage(self):
-        self.refused(65, "--axioms", self.folder / "missing")
-        self.refused(65, "--axioms", self.folder)
-        self.refused(65, "--axiom", "no_such")
-        self.refused(65, self.folder / "missing.trace.json")
+        self.refused(65, "verify", "--axioms", self.folder / "missing")
+        self.refused(65, "verify", "--axioms", self.folder)
+        self.refused(65, "verify", "--axiom", "no_such")
+        self.refused(65, "verify", self.folder / "missing.trace.json")
         bad = self.file("bad.smt2", "(assert true)")
-        self.assertIn(f"{bad}:1: found", self.refused(65, "--axioms", self.folder))
+        self.assertIn(f"{bad}:1: found", self.refused(65, "verify", "--axioms", self.folder))
         for arguments in (["--worlds", "-1"], ["--seed", "x"], ["--time-limit", "-1"], ["--all"]):
             with self.subTest(arguments=arguments):
-                self.refused(64, *arguments)
+                self.refused(64, "verify", *arguments)
 
     def test_a_result_that_got_lost(self):
-        with open("/dev/full", "w") as full:
-            done = subprocess.run([PROGRAM, "verify", "--worlds", "0"], stdout=full,
-                                  stderr=subprocess.PIPE, text=True, timeout=300)
-        self.assertEqual(done.returncode, 70)
+        self.check_lost_result("verify", "--worlds", "0")
 
 
 class Docs(WithAxioms):
@@ -331,9 +316,7 @@ class Docs(WithAxioms):
                                     "--seed", "38").stdout)
 
     def test_help_has_examples(self):
-        done = run("verify", "--help")
-        self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stdout, r"Examples:\s+asterism verify")
+        self.check_help("verify")
 
 
 if __name__ == "__main__":

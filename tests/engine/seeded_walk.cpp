@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "io/trace_file.hpp"
+#include "io/json/trace_file.hpp"
 #include "simulation/corridor_world.hpp"
 #include "simulation/grid_world.hpp"
 

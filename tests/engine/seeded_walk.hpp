@@ -1,13 +1,29 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "engine/map_tree.hpp"
+#include "engine/tree/map_tree.hpp"
 #include "simulation/walk.hpp"
 #include "tests/support/brute_force.hpp"
 
 namespace asterism {
+
+/// Stops work once it is asked and `go_on`, told how far it is, says no.
+template <class F>
+Stop stop_unless(F go_on) {
+  return {.watch = [go_on = std::move(go_on)](const Standing& now) mutable {
+    bool goes_on = true;
+    if constexpr (std::is_invocable_v<F&, const Standing&>)
+      goes_on = go_on(now);
+    else
+      goes_on = go_on();
+    return goes_on ? std::nullopt : std::optional<std::string>("test");
+  }};
+}
 
 /// A walk through a random world, grid or corridors; the seed says which.
 Walk seeded_walk(unsigned seed, std::size_t travels);
@@ -22,7 +38,7 @@ const AxiomSet& shipped_with(const std::string& optional = "");
 /// The tree grown by the whole trace.  @throws std::logic_error if growth stops early
 MapTree tree_of(const Trace& trace, MapTree::Options options);
 inline MapTree tree_of(const Trace& trace, bool planar) {
-  return tree_of(trace, {.planar = planar, .axioms = shipped_with()});
+  return tree_of(trace, {.theory = {.axioms = shipped_with(), .planar = planar}});
 }
 
 /// Every hypothesis of the tree, sorted.

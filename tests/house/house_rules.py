@@ -2,8 +2,8 @@
 
     house_rules.py RULE ROOT
 
-RULE is layers, sources, citations, hygiene or format. Prints one line a broken rule, "file:line:
-found X; expected Y"; exits 1 if there is one, 77 if the rule cannot be checked here.
+RULE is layers, installed, sources, citations, hygiene, json or format. Prints one line a broken
+rule, "file:line: found X; expected Y"; exits 1 if there is one, 77 if the rule cannot be checked here.
 """
 
 import re
@@ -12,17 +12,26 @@ import subprocess
 import sys
 from pathlib import Path
 
-# What each folder may include, its own headers aside.                        [ARCHITECTURE.md]
+# What each folder may include, its own headers aside: a folder, or of one some wings alone.
+#                                                                             [ARCHITECTURE.md]
 LAYERS = {
     "core": set(),
     "axioms": {"core"},
     "planarity": {"core"},
+    "drawing": {"core", "planarity"},
     "engine": {"core", "axioms", "planarity"},
     "perception": {"core"},
     "metric": {"core"},
     "simulation": {"core"},
-    "io": {"core"},
-    "cli": {"core", "axioms", "planarity", "engine", "perception", "metric", "simulation", "io"},
+    "io": {"core", "axioms", "engine/ask", "engine/proof"},
+}
+LAYERS["mapping"] = set(LAYERS)
+LAYERS["cli"] = set(LAYERS)
+# The wings of a folder in a row; "" is the folder itself. Each may include itself and those before.
+WINGS = {
+    "engine": ["", "tree", "minimal", "ask", "proof", "ssh"],
+    "io": ["", "json", "log", "grid", "picture"],
+    "cli": ["text", "", "commands"],
 }
 # Folders that may use all of ours: nothing depends on them.
 USERS = ["tests", "examples", "benchmarks"]
@@ -30,14 +39,14 @@ USERS = ["tests", "examples", "benchmarks"]
 # Library, how its headers are named, the layers that may use it, those whose headers may.
 EVERY = set(LAYERS)
 LIBRARIES = [
-    ("Z3", r"z3", {"axioms", "engine", "cli"}, {"axioms", "engine"}),
-    ("Boost", r"boost/", {"planarity", "cli"}, set()),
-    ("nlohmann-json", r"nlohmann/", {"io", "cli"}, set()),
-    ("fmt", r"fmt/", {"io", "cli"}, {"io", "cli"}),
+    ("Z3", r"z3", {"axioms", "engine"}, {"axioms", "engine"}),  # none of them installed
+    ("Boost", r"boost/", {"planarity", "drawing", "cli"}, set()),
+    ("nlohmann-json", r"nlohmann/", {"io"}, set()),
+    ("fmt", r"fmt/", {"io", "mapping", "cli"}, {"io", "mapping", "cli"}),
     ("zlib", r"zlib\.h", {"io", "cli"}, set()),
     ("liblzma", r"lzma\.h", {"io", "cli"}, set()),
     ("libpng", r"png\.h", {"io", "cli"}, set()),
-    ("CLI11", r"CLI/", {"cli"}, set()),
+    ("CLI11", r"CLI/", {"cli"}, {"cli"}),
     ("Eigen", r"Eigen/", {"core", "perception", "metric"}, {"core", "perception", "metric"}),
     ("Ceres", r"ceres/", {"metric"}, {"metric"}),
     ("Catch2", r"catch2/", set(), set()),
@@ -46,12 +55,20 @@ LIBRARIES = [
     ("the standard library", r"[a-z_0-9]+$", EVERY, EVERY),
 ]
 
+INSTALLED = re.compile(r"asterism_library\([^)]*?HEADERS\s([^)]*?)(?:SOURCES|LINKS|PRIVATE_LINKS|\))")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+COMMAND = re.compile(r"\b[A-Z]\w*Command\b")  # a type
 LINK = re.compile(r"asterism::(\w+)")
 CODE = {".cpp", ".hpp"}
 TEXT = CODE | {".py", ".sh", ".smt2", ".lp", ".cmake", ".in", ".md"}  # not cases and corpora
 CITATION = re.compile(r"\[([A-Z]+\d\d)[],]")
+THEORY = re.compile(r"\[theory ([^]]*)")
+ELSEWHERE = re.compile(r"\bDES" r"IGN\b")  # a page that is not in the repository
 LONGEST_FILE = 450
+PLANAR = re.compile(r"^\s+bool planar( =[^,]*)?;")  # a member
+THEORIES = ["axioms/theory.hpp", "core/theory_record.hpp"]
+EXTENT_TEXT = re.compile(r'[!=]= "(path|place|segment)"|"(path|place|segment)" [!=]=')
+JSON_KEY = re.compile(r'\\?"\w+\\?":')  # in a string, or in a raw one
 
 # Spelt in parts, so that this file keeps its own rules.
 MARKS = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK|WI" r"P)\b")
@@ -93,12 +110,15 @@ def layers(root):
                 if match := INCLUDE.match(line):
                     quote, name = match.groups()
                     expected = refused_include(layer, file.suffix == ".hpp", quote, name, allowed)
+                    expected = expected or refused_wing(root, file, name)
                     if expected:
                         yield complaint(root, file, number, f"include of {name}", expected)
+                elif layer != "cli" and (match := COMMAND.search(line)):
+                    yield complaint(root, file, number, match[0], "no command below cli")
         for file in (root / layer).rglob("CMakeLists.txt"):
             for number, line in numbered_lines(file):
                 for name in LINK.findall(line.split("#")[0]):
-                    if name not in allowed:
+                    if name not in {folder.split("/")[0] for folder in allowed}:
                         found = f"asterism::{name}"
                         yield complaint(root, file, number, found, one_of(allowed))
     for file in files(root, USERS, CODE):
@@ -112,7 +132,8 @@ def layers(root):
 def refused_include(layer, is_header, quote, name, allowed):
     """What was expected instead of this include, or None if it is allowed."""
     if quote == '"':
-        return None if "/" in name and name.split("/")[0] in allowed else one_of(allowed)
+        is_allowed = any(name.startswith(folder + "/") for folder in allowed)
+        return None if is_allowed else one_of(allowed)
     for library, pattern, users, header_users in LIBRARIES:
         if re.match(pattern, name):
             if layer not in users:
@@ -123,12 +144,49 @@ def refused_include(layer, is_header, quote, name, allowed):
     return "a library that ARCHITECTURE.md names"
 
 
+def installed(root):
+    """Every header that is installed includes, of ours, only such as are, and shows no Z3."""
+    headers = {
+        file.parent / name
+        for file in cmake_lists(root)
+        for names_listed in INSTALLED.findall(file.read_text())
+        for name in names_listed.split()
+    }
+    for header in sorted(headers):
+        for number, line in numbered_lines(header):
+            match = INCLUDE.match(line)
+            if not match:
+                continue
+            quote, name = match.groups()
+            found = f"include of {name}"
+            if quote == '"' and root / name not in headers:
+                yield complaint(root, header, number, found, "a header that is installed")
+            if quote == "<" and name.startswith("z3"):
+                yield complaint(root, header, number, found, "Z3 in no header that is installed")
+
+
+def refused_wing(root, file, name):
+    """What was expected instead of this include of the same folder, or None if it is allowed."""
+    folder, _, place = str(file.parent.relative_to(root)).partition("/")
+    included_folder, _, included = name.rpartition("/")[0].partition("/")
+    if folder not in WINGS or included_folder != folder:
+        return None
+    row = WINGS[folder]
+    if place not in row:
+        return f"a wing of {folder}: {', '.join(filter(None, row))}"
+    allowed = row[: row.index(place) + 1]
+    if included in allowed:
+        return None
+    return f"something of {', '.join(f'{folder}/{name}'.rstrip('/') for name in allowed)}"
+
+
 def one_of(folders):
     return f"something of {names(folders)}"
 
 
 def names(folders):
-    return ", ".join(name for name in LAYERS if name in folders) or "tests"
+    order = list(LAYERS)
+    return ", ".join(sorted(folders, key=lambda name: order.index(name.split("/")[0]))) or "tests"
 
 
 def sources(root):
@@ -156,14 +214,23 @@ def mentions(cmake_list, file, whole_name):
 
 
 def citations(root):
-    """Every key cited is resolved in docs/references.md."""
+    """Every key cited is resolved in docs/references.md, every section in docs/theory.md."""
     references = root / "docs/references.md"
     known = set(re.findall(r"\*\*\[(\w+)\]\*\*", references.read_text(encoding="utf-8")))
+    theory = root / "docs/theory.md"
+    sections = set(re.findall(r"^## (\d+)\.", theory.read_text(encoding="utf-8"), re.MULTILINE))
     for file in [*sorted(root.glob("*.md")), *files(root, [*LAYERS, *USERS, "docs"], TEXT)]:
         for number, line in numbered_lines(file):
             for key in CITATION.findall(line):
                 if key not in known:
                     yield complaint(root, file, number, f"[{key}]", "a key of docs/references.md")
+            if found := ELSEWHERE.search(line):
+                yield complaint(root, file, number, found[0], "a section of docs/theory.md")
+            for cited in THEORY.findall(line):
+                for section in re.findall(r"§(\d+)", cited):
+                    if section not in sections:
+                        expected = "a section of docs/theory.md"
+                        yield complaint(root, file, number, f"§{section}", expected)
 
 
 def hygiene(root):
@@ -190,6 +257,24 @@ def hygiene(root):
                     yield complaint(root, file, number, "a hidden test", "tests that run and count")
 
 
+def json_by_hand(root):
+    """No JSON is written key by key, but by the writer in io/json."""
+    for file in files(root, [*LAYERS, "examples", "benchmarks"], CODE):
+        for number, line in numbered_lines(file):
+            if key := JSON_KEY.search(line.split("//")[0]):
+                yield complaint(root, file, number, f"the key {key[0]}", "JsonWriter of io/json")
+
+
+def types(root):
+    """What is asked of maps is passed as a theory, and extents are no strings."""
+    for file in files(root, [*LAYERS, "examples", "benchmarks"], CODE):
+        for number, line in numbered_lines(file):
+            if PLANAR.match(line) and str(file.relative_to(root)) not in THEORIES:
+                yield complaint(root, file, number, "a member planar", "a Theory")
+            if EXTENT_TEXT.search(line):
+                yield complaint(root, file, number, "an extent as text", "an Extent")
+
+
 def formatting(root):
     """clang-format 14 would change nothing."""
     tool = next(filter(is_version_14, ["clang-format-14", "clang-format"]), None)
@@ -214,9 +299,12 @@ def output(command, text=""):
 
 RULES = {
     "layers": layers,
+    "installed": installed,
     "sources": sources,
     "citations": citations,
     "hygiene": hygiene,
+    "json": json_by_hand,
+    "types": types,
     "format": formatting,
 }
 

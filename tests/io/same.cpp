@@ -15,8 +15,7 @@ auto members(const MapReport::Minimal& m) {
 }
 
 auto members(const MapOptions& o) {
-  return std::tie(o.planar, o.check, o.axioms, o.optional_axioms, o.preference, o.certify_s,
-                  o.max_hypotheses, o.time_limit_s, o.assumptions, o.all);
+  return std::tie(o.theory, o.check, o.certify_s, o.max_hypotheses, o.time_limit_s, o.all);
 }
 
 auto members(const PlaceDisplacement& d) { return std::tie(d.from, d.to, d.displacement); }
@@ -54,6 +53,11 @@ bool equal(const Alignment& a, const Alignment& b) {
   return plain(a) == plain(b) && equal(a.misfit, b.misfit);
 }
 
+bool equal(const SharedSpot& a, const SharedSpot& b) {
+  const auto plain = [](const SharedSpot& x) { return std::tie(x.one, x.other, x.distance_m); };
+  return plain(a) == plain(b) && equal(a.misfit, b.misfit);
+}
+
 bool equal(const RankedMap& a, const RankedMap& b) {
   const auto plain = [](const RankedMap& r) {
     return std::tie(r.layout.layout_from_place, r.layout.covariances, r.layout.chi_squared,
@@ -61,6 +65,8 @@ bool equal(const RankedMap& a, const RankedMap& b) {
   };
   return plain(a) == plain(b) && equal(a.map, b.map) && equal(a.misfit, b.misfit) &&
          equal(a.displacements, b.displacements) &&
+         std::ranges::equal(a.shared_spots, b.shared_spots,
+                            [](const SharedSpot& x, const SharedSpot& y) { return equal(x, y); }) &&
          std::ranges::equal(a.alignments, b.alignments,
                             [](const Alignment& x, const Alignment& y) { return equal(x, y); });
 }
@@ -87,7 +93,8 @@ bool same(const MapReport& a, const MapReport& b) {
 
 bool same(const SshReport& a, const SshReport& b) {
   const auto plain = [](const SshReport& r) {
-    return std::tie(r.experience, r.consistent, r.per_view, r.complete, r.stopped_by, r.maps);
+    return std::tie(r.trace, r.experience, r.consistent, r.per_visit, r.complete, r.stopped_by,
+                    r.maps);
   };
   return plain(a) == plain(b) && equal(a.options, b.options) && equal(a.minimal, b.minimal);
 }

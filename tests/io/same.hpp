@@ -4,7 +4,6 @@
 
 #include "core/experience.hpp"
 #include "core/map_report.hpp"
-#include "core/ssh_report.hpp"
 #include "core/trace.hpp"
 
 namespace asterism {

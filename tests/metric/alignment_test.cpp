@@ -12,9 +12,9 @@
 namespace asterism {
 namespace {
 
-constexpr double kQuarter_rad = std::numbers::pi / 2;
-constexpr double kFine_m = 0.03;
-constexpr double kFine_rad = 0.01;
+constexpr double quarter_rad = std::numbers::pi / 2;
+constexpr double fine_m = 0.03;
+constexpr double fine_rad = 0.01;
 
 IdealWorld crossing() { return ideal_worlds(2)[2]; }
 
@@ -22,7 +22,7 @@ IdealWorld crossing() { return ideal_worlds(2)[2]; }
 Visit visit_of_crossing(const Pose2& world_from_visit) {
   Visit visit{.star = Star::parse(crossing().star), .entered_by = 0};
   for (std::size_t arm = 0; arm < 4; ++arm) {
-    const double heading_rad = -kQuarter_rad * static_cast<double>(arm);
+    const double heading_rad = -quarter_rad * static_cast<double>(arm);
     const Point2 middle = 2.0 * unit_vector(heading_rad);
     const Pose2 seen = inverse(world_from_visit) * Pose2{middle.x_m, middle.y_m, heading_rad};
     visit.gateways.push_back({visit.star.name(arm), seen.x_m, seen.y_m, seen.heading_rad, 2});
@@ -44,7 +44,7 @@ struct Crossing {
   }
   // Where the hypothesis puts a visit that it has come in by another arm.
   Pose2 expected(std::size_t first, std::size_t visit, std::size_t entered) const {
-    const Pose2 turn{0, 0, wrapped(-kQuarter_rad * static_cast<double>(entered))};
+    const Pose2 turn{0, 0, wrapped(-quarter_rad * static_cast<double>(entered))};
     return inverse(world_from_visit[first]) * turn * world_from_visit[visit];
   }
 };
@@ -70,8 +70,8 @@ TEST_CASE("an alignment is the one that the hypothesis says", "[metric][property
       for (std::size_t entered = 0; entered < 4; ++entered) {
         const Alignment& found = alignments(VisitId(0), VisitId(1), entered);
         CHECK(found.visit == VisitId(1));
-        check_pose(found.place_from_visit, place.expected(0, 1, entered), walls ? kFine_m : 1e-6,
-                   walls ? kFine_rad : 1e-6);
+        check_pose(found.place_from_visit, place.expected(0, 1, entered), walls ? fine_m : 1e-6,
+                   walls ? fine_rad : 1e-6);
         CHECK(found.misfit.degrees_of_freedom == (walls ? 12U : 9U));
         CHECK(found.misfit.tail_probability > 0.99);
         CHECK(is_covariance(found.covariance));
@@ -98,11 +98,11 @@ TEST_CASE("gateways that are off are put right by walls", "[metric][property]") 
     const Alignment& fine = both(VisitId(0), VisitId(1), 0);
     by_gateways_m +=
         norm(rough.place_from_visit.position() - place.expected(0, 1, 0).position()) / 40;
-    check_pose(fine.place_from_visit, place.expected(0, 1, 0), kFine_m, kFine_rad);
+    check_pose(fine.place_from_visit, place.expected(0, 1, 0), fine_m, fine_rad);
     for (const std::size_t at : {0U, 4U, 8U}) CHECK(fine.covariance[at] < rough.covariance[at]);
     CHECK(fine.misfit.chi_squared > rough.misfit.chi_squared);
   }
-  CHECK(by_gateways_m > 2 * kFine_m);
+  CHECK(by_gateways_m > 2 * fine_m);
 }
 
 TEST_CASE("exact gateways tell the pose of every return", "[metric][property]") {
@@ -144,7 +144,7 @@ TEST_CASE("without a gateway in common little is known", "[metric]") {
   // Entered by the opposite arm, the gateways are the same ones.
   const Alignment& common = alignments(VisitId(0), VisitId(1), 2);
   CHECK(common.misfit.degrees_of_freedom == 6);
-  check_pose(common.place_from_visit, place.expected(0, 1, 2), kFine_m, kFine_rad);
+  check_pose(common.place_from_visit, place.expected(0, 1, 2), fine_m, fine_rad);
 }
 
 TEST_CASE("what was asked before does not show", "[metric][property]") {

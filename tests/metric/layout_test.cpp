@@ -30,16 +30,15 @@ double farthest(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
 }
 
 Displacement backwards(const Displacement& d) {
-  const Pose2 ahead{d.x_m, d.y_m, d.heading_rad};
-  const Pose2 back = inverse(ahead);
-  return {back.x_m, back.y_m, back.heading_rad, seen_from(ahead, d.covariance)};
+  const Pose2 ahead = d.left_from_reached();
+  return make_displacement(inverse(ahead), seen_from(ahead, d.covariance));
 }
 
 // The sum of squares, written out anew: rᵀ Σ⁻¹ r.
 double misfit(const std::vector<Pose2>& poses, std::span<const PlaceDisplacement> displacements) {
   double sum = 0;
   for (const auto& [from, to, d] : displacements) {
-    const SmallMotion error = logarithm(inverse(Pose2{d.x_m, d.y_m, d.heading_rad}) *
+    const SmallMotion error = logarithm(inverse(d.left_from_reached()) *
                                         (inverse(poses[from.index()]) * poses[to.index()]));
     const Eigen::Vector3d e(error[0], error[1], error[2]);
     const Eigen::Matrix3d covariance =
@@ -110,7 +109,7 @@ TEST_CASE("a chain of displacements is laid out as measured", "[metric]") {
   for (const auto& [from, to, d] : world.displacements) {
     const Pose2 seen =
         inverse(layout.layout_from_place[from.index()]) * layout.layout_from_place[to.index()];
-    CHECK(distance(seen, {d.x_m, d.y_m, d.heading_rad}) < 1e-9);
+    CHECK(distance(seen, d.left_from_reached()) < 1e-9);
   }
   // The end of the chain is as uncertain as its links together.
   const Layout two = lay_out(2, std::span(world.displacements).first(1));
@@ -243,7 +242,7 @@ TEST_CASE("begun elsewhere, a layout ends the same", "[metric][property]") {
 }
 
 TEST_CASE("what cannot be laid out is refused", "[metric]") {
-  const PoseCovariance fine{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const PoseCovariance fine = diagonal(1, 1);
   const PlaceDisplacement good{PlaceId(0), PlaceId(1), {1, 0, 0, fine}};
   CHECK_THROWS_AS(lay_out(0, {}), std::invalid_argument);
   CHECK_NOTHROW(lay_out(1, {}));

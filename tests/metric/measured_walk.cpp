@@ -12,13 +12,7 @@
 namespace asterism {
 namespace {
 
-constexpr double kOut_m = 2;  // from a place's middle to its gateways
-
-Displacement measured(const Pose2& pose, const PoseCovariance& covariance) {
-  return {pose.x_m, pose.y_m, pose.heading_rad, covariance};
-}
-
-Pose2 pose(const Displacement& d) { return {d.x_m, d.y_m, d.heading_rad}; }
+constexpr double gateway_out_m = 2;  // from a place's middle to its gateways
 
 }  // namespace
 
@@ -38,7 +32,7 @@ MeasuredWalk measured_walk(std::size_t travels, double scale, RandomEngine& rand
       const auto leads = world.segments.find({place, arm});
       if (leads == world.segments.end()) continue;
       const double heading_rad = direction(position(leads->second.place) - position(place));
-      const Point2 middle = position(place) + kOut_m * unit_vector(heading_rad);
+      const Point2 middle = position(place) + gateway_out_m * unit_vector(heading_rad);
       const Pose2 seen =
           inverse(result.world_from_visit.back()) * Pose2{middle.x_m, middle.y_m, heading_rad};
       visit.gateways.push_back({visit.star.name(arm), seen.x_m, seen.y_m, seen.heading_rad, 2.0});
@@ -48,7 +42,7 @@ MeasuredWalk measured_walk(std::size_t travels, double scale, RandomEngine& rand
     const PoseCovariance covariance = any_covariance(scale, random);
     const Pose2 moved = inverse(result.world_from_visit[k - 1]) * result.world_from_visit[k] *
                         exponential(drawn_from(covariance, random));
-    result.trace.visits[k].displacement = measured(moved, covariance);
+    result.trace.visits[k].displacement = make_displacement(moved, covariance);
   }
   return result;
 }
@@ -62,7 +56,8 @@ Trace measured_backwards(const Trace& trace) {
     visit.displacement.reset();
     if (k == 0) continue;
     const Displacement& there = *trace.visits[trace.visits.size() - k].displacement;
-    visit.displacement = measured(inverse(pose(there)), seen_from(pose(there), there.covariance));
+    const Pose2 moved = there.left_from_reached();
+    visit.displacement = make_displacement(inverse(moved), seen_from(moved, there.covariance));
   }
   return back;
 }
@@ -97,12 +92,13 @@ Trace measured_turned(const Trace& trace, double angle_rad) {
   const Pose2 visit_from_robot = inverse(robot_from_visit);
   for (Visit& visit : turned.visits) {
     for (MeasuredGateway& gateway : visit.gateways) {
-      const Pose2 seen = visit_from_robot * Pose2{gateway.x_m, gateway.y_m, gateway.heading_rad};
+      const Pose2 seen = visit_from_robot * gateway.visit_from_gateway();
       gateway = {gateway.arm, seen.x_m, seen.y_m, seen.heading_rad, gateway.width_m};
     }
     if (visit.displacement)
-      visit.displacement = measured(visit_from_robot * pose(*visit.displacement) * robot_from_visit,
-                                    seen_from(visit_from_robot, visit.displacement->covariance));
+      visit.displacement = make_displacement(
+          visit_from_robot * visit.displacement->left_from_reached() * robot_from_visit,
+          seen_from(visit_from_robot, visit.displacement->covariance));
   }
   return turned;
 }

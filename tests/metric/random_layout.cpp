@@ -55,7 +55,7 @@ RandomLayout random_layout(std::size_t places, std::size_t displacements, double
     const Pose2 moved = inverse(layout.layout_from_place[from]) * layout.layout_from_place[to] *
                         exponential(drawn_from(covariance, random));
     layout.displacements.push_back(
-        {PlaceId(from), PlaceId(to), {moved.x_m, moved.y_m, moved.heading_rad, covariance}});
+        {PlaceId(from), PlaceId(to), make_displacement(moved, covariance)});
   }
   return layout;
 }

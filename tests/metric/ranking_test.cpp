@@ -1,15 +1,19 @@
 #include "metric/ranking.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
-#include "engine/map_tree.hpp"
+#include "engine/tree/map_tree.hpp"
 #include "metric/alignment.hpp"
 #include "metric/chi_squared.hpp"
 #include "metric/exponential.hpp"
 #include "metric/layout.hpp"
+#include "metric/layout_residual.hpp"
+#include "metric/places_apart.hpp"
 #include "tests/metric/measured_walk.hpp"
 #include "tests/support/catch.hpp"
 
@@ -27,9 +31,10 @@ struct Ranked {
   std::size_t layouts = 0;
 };
 
-Ranked ranked(const MapTree& tree, const AlignmentSource& alignments, std::size_t models) {
+Ranked ranked(const MapTree& tree, const AlignmentSource& alignments,
+              const RankingOptions& options) {
   const auto classes = tree.by_preference();
-  Ranking ranking(tree.trace(), alignments, {.models = models});
+  Ranking ranking(tree.trace(), alignments, options);
   for (const auto& hypotheses : classes) {
     if (ranking.is_settled()) break;
     ranking.add([&](const auto& f) {
@@ -58,7 +63,7 @@ Sums sums(const Trace& trace, std::size_t models) {
   PlaceAlignments alignments(trace, {});
   const MapTree tree = tree_of(trace);
   Sums result;
-  for (const RankedMap& map : ranked(tree, exact(alignments), models).maps)
+  for (const RankedMap& map : ranked(tree, exact(alignments), {.models = models}).maps)
     if (map.is_plausible)
       result.push_back({static_cast<double>(map.map.paths.size()),
                         static_cast<double>(map.map.places.size()), map.misfit.chi_squared,
@@ -66,13 +71,12 @@ Sums sums(const Trace& trace, std::size_t models) {
   return result;
 }
 
-Pose2 pose(const Displacement& d) { return {d.x_m, d.y_m, d.heading_rad}; }
-
 // λ = L d L'⁻¹ by the definition of its covariance: each error is tried out alone.
 Displacement compounded(const Pose2& left, const PoseCovariance& of_left, const Displacement& d,
                         const Pose2& reached, const PoseCovariance& of_reached) {
   const auto whole = [&](const SmallMotion& a, const SmallMotion& b, const SmallMotion& c) {
-    return left * exponential(a) * pose(d) * exponential(b) * inverse(reached * exponential(c));
+    return left * exponential(a) * d.left_from_reached() * exponential(b) *
+           inverse(reached * exponential(c));
   };
   const Pose2 mean = whole({}, {}, {});
   PoseCovariance covariance{};
@@ -93,7 +97,73 @@ Displacement compounded(const Pose2& left, const PoseCovariance& of_left, const 
     const std::size_t mirrored = 3 * (i % 3) + i / 3;
     covariance[i] = covariance[mirrored] = (covariance[i] + covariance[mirrored]) / 2;
   }
-  return {mean.x_m, mean.y_m, mean.heading_rad, covariance};
+  return make_displacement(mean, covariance);
+}
+
+// How a place sees a point of another: less the middle of its own gateways, in its own frame.
+Eigen::Vector2d seen(const std::vector<Pose2>& poses, const Trace& trace, const TopologicalMap& map,
+                     std::size_t one, std::size_t other) {
+  const auto middle = [&](std::size_t place) {
+    const auto& gateways = trace.visits[map.places[place].first_visit.index()].gateways;
+    Point2 sum;
+    for (const MeasuredGateway& gateway : gateways) sum = sum + gateway.middle();
+    return 1 / static_cast<double>(gateways.size()) * sum;
+  };
+  const Point2 at = inverse(poses[one]) * (poses[other] * middle(other)) - middle(one);
+  return {at.x_m, at.y_m};
+}
+
+double radius_m(const Trace& trace, const TopologicalMap& map, std::size_t place) {
+  return neighbourhood_of(trace.visits[map.places[place].first_visit.index()])->radius_m;
+}
+
+/// Whether two places lie on one spot, by slopes that are tried out and a full inverse.
+bool is_crowded(const Trace& trace, const RankedMap& ranked) {
+  const std::vector<Pose2>& poses = ranked.layout.layout_from_place;
+  if (poses.size() < 2) return false;
+  const auto size = static_cast<Eigen::Index>(3 * (poses.size() - 1));
+  constexpr double step = 1e-5;
+  const auto moved = [&](Eigen::Index i, double by) {
+    std::vector<Pose2> result = poses;
+    Pose2& pose = result[static_cast<std::size_t>(i / 3) + 1];
+    (i % 3 == 0 ? pose.x_m : i % 3 == 1 ? pose.y_m : pose.heading_rad) += by;
+    return result;
+  };
+  Eigen::MatrixXd curvature = Eigen::MatrixXd::Zero(size, size);
+  for (const PlaceDisplacement& travel : ranked.displacements) {
+    const LayoutResidual residual(travel.displacement);
+    const auto at = [&](const std::vector<Pose2>& where) {
+      return residual(where[travel.from.index()], where[travel.to.index()]).residual;
+    };
+    Eigen::MatrixXd slope(3, size);
+    for (Eigen::Index i = 0; i < size; ++i)
+      slope.col(i) = (at(moved(i, step)) - at(moved(i, -step))) / (2 * step);
+    curvature += slope.transpose() * slope;
+  }
+  const Eigen::MatrixXd covariance = curvature.inverse();
+  const auto misfit = [&](std::size_t one, std::size_t other) {
+    const double least_m =
+        radius_m(trace, ranked.map, one) + radius_m(trace, ranked.map, other) - 0.3;
+    const Eigen::Vector2d point = seen(poses, trace, ranked.map, one, other);
+    if (point.norm() >= least_m) return 0.0;
+    Eigen::MatrixXd slope(2, size);
+    for (Eigen::Index i = 0; i < size; ++i)
+      slope.col(i) = (seen(moved(i, step), trace, ranked.map, one, other) -
+                      seen(moved(i, -step), trace, ranked.map, one, other)) /
+                     (2 * step);
+    const Eigen::Matrix2d information = (slope * covariance * slope.transpose()).inverse();
+    double least = 1e300;
+    for (int i = 0; i < 20'000; ++i) {
+      const Point2 on_circle = least_m * unit_vector(i * 2 * std::numbers::pi / 20'000);
+      const Eigen::Vector2d off = Eigen::Vector2d(on_circle.x_m, on_circle.y_m) - point;
+      least = std::min(least, off.dot(information * off));
+    }
+    return least;
+  };
+  for (std::size_t j = 0; j < poses.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (chi_squared_tail(std::min(misfit(i, j), misfit(j, i)), 1) < 1e-3) return true;
+  return false;
 }
 
 // One hypothesis by itself, nothing shared and nothing begun from elsewhere.
@@ -112,6 +182,7 @@ RankedMap ranked_alone(const Trace& trace, const AlignmentSource& source, Topolo
       in_place[k] = alignment.place_from_visit;
       covariances[k] = alignment.covariance;
       misfit += alignment.misfit.chi_squared;
+      result.alignments.push_back(alignment);
       if (alignment.misfit.tail_probability < 1e-3) result.is_plausible = false;
     }
     if (k == 0) continue;
@@ -125,8 +196,22 @@ RankedMap ranked_alone(const Trace& trace, const AlignmentSource& source, Topolo
   result.misfit = {result.layout.chi_squared, degrees,
                    chi_squared_tail(result.layout.chi_squared, degrees)};
   if (result.misfit.tail_probability < 1e-3) result.is_plausible = false;
+  if (result.is_plausible && is_crowded(trace, result)) {
+    result.is_plausible = false;
+    result.shared_spots = {{PlaceId(0), PlaceId(1)}};  // some
+  }
   result.log_likelihood = -(result.layout.chi_squared + misfit) / 2;
   return result;
+}
+
+/// 0: none, 1: it fits, but places share a spot, 2: it does not fit.
+int doubt_of(const RankedMap& ranked) {
+  if (ranked.is_plausible) return 0;
+  const bool fits = ranked.misfit.tail_probability >= 1e-3 &&
+                    std::ranges::all_of(ranked.alignments, [](const Alignment& alignment) {
+                      return alignment.misfit.tail_probability >= 1e-3;
+                    });
+  return fits && !ranked.shared_spots.empty() ? 1 : 2;
 }
 
 void check_same(const Sums& a, const Sums& b) {
@@ -148,7 +233,7 @@ TEST_CASE("the true map ranks first where measures are honest", "[metric][proper
     const MeasuredWalk walk = measured_walk(8 + below(8, random), 0.3, random);
     PlaceAlignments alignments(walk.trace, {});
     const MapTree tree = tree_of(walk.trace);
-    const auto best = ranked(tree, exact(alignments), 1).maps;
+    const auto best = ranked(tree, exact(alignments), {.models = 1}).maps;
     REQUIRE(best.size() == 1);
     first += arrivals(best[0].map) == walk.truth ? 1 : 0;
     plausible += best[0].is_plausible ? 1 : 0;
@@ -164,35 +249,39 @@ TEST_CASE("ranking is that of every hypothesis laid out from scratch",
           "[metric][reference][property]") {
   RandomEngine random(2);
   std::size_t implausible = 0;
-  for (int i = 0; i < 60; ++i) {
+  std::size_t crowded = 0;
+  for (int i = 0; i < 240; ++i) {
     // Every other walk is measured so badly that most maps are plausible.
     const MeasuredWalk walk = measured_walk(6 + below(4, random), i % 2 == 0 ? 0.2 : 3, random);
     PlaceAlignments alignments(walk.trace, {});
     const MapTree tree = tree_of(walk.trace);
     const AlignmentSource source = std::ref(alignments);
     const std::size_t models = 1 + below(12, random);
-    const auto best = ranked(tree, source, models).maps;
+    const auto best = ranked(tree, source, {.models = models}).maps;
 
-    using Key = std::tuple<bool, std::size_t, std::size_t, double>;
+    using Key = std::tuple<int, std::size_t, std::size_t, double>;
     std::vector<Key> keys;
     tree.for_each([&](HypothesisId id, std::span<const Arrival>) {
       const RankedMap whole = ranked_alone(walk.trace, source, tree.map(id));
-      keys.emplace_back(!whole.is_plausible, whole.map.paths.size(), whole.map.places.size(),
+      keys.emplace_back(doubt_of(whole), whole.map.paths.size(), whole.map.places.size(),
                         -whole.log_likelihood);
     });
     std::ranges::sort(keys);
     REQUIRE(best.size() == std::min<std::size_t>(models, tree.size()));
     for (std::size_t k = 0; k < best.size(); ++k) {
-      CHECK(std::get<0>(keys[k]) == !best[k].is_plausible);
+      CHECK(std::get<0>(keys[k]) == doubt_of(best[k]));
       CHECK(std::get<1>(keys[k]) == best[k].map.paths.size());
       CHECK(std::get<2>(keys[k]) == best[k].map.places.size());
       // Far from any fit, a sum of squares has many minima: which is found is chance.
       if (best[k].is_plausible)
         CHECK(std::get<3>(keys[k]) == Approx(-best[k].log_likelihood).epsilon(1e-5).margin(1e-6));
       implausible += best[k].is_plausible ? 0U : 1U;
+      crowded += best[k].shared_spots.empty() ? 0U : 1U;
+      CHECK(best[k].shared_spots.empty() == !is_crowded(walk.trace, best[k]));
     }
   }
   CHECK(implausible > 20);
+  CHECK(crowded > 3);
 }
 
 TEST_CASE("a trace backwards, mirrored or turned ranks the same", "[metric][property]") {
@@ -218,11 +307,15 @@ TEST_CASE("the best of very many hypotheses takes few layouts", "[metric]") {
     MapTree tree({.max_hypotheses = 2'000'000});
     if (tree.extend(walk.trace.visits) != MapTree::Growth::complete) continue;
     PlaceAlignments alignments(walk.trace, {});
-    const Ranked best = ranked(tree, std::ref(alignments), 10);
-    INFO(tree.size() << " maps, " << best.layouts << " layouts");
     most = std::max(most, tree.size());
-    CHECK(best.layouts < 3'000);
-    CHECK(arrivals(best.maps.front().map) == walk.truth);
+    // Of maps whose places lie apart there are fewer: one has to look further for ten.
+    for (const bool on_one_floor : {false, true}) {
+      const Ranked best =
+          ranked(tree, std::ref(alignments), {.models = 10, .on_one_floor = on_one_floor});
+      INFO(tree.size() << " maps, " << best.layouts << " layouts");
+      CHECK(best.layouts < (on_one_floor ? 6'000 : 3'000));
+      CHECK(arrivals(best.maps.front().map) == walk.truth);
+    }
   }
   CHECK(most > 100'000);
 }

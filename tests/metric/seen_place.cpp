@@ -7,8 +7,8 @@
 namespace asterism {
 namespace {
 
-constexpr float kWall = 3.5F;
-constexpr double kWrong = 0.005;  // share of the cells
+constexpr float wall_log_odds = 3.5F;
+constexpr double wrong_share = 0.005;  // share of the cells
 
 void fill(Grid& grid, Point2 middle, double half_m, float log_odds) {
   const auto [column, row] = grid.cell_at(middle);
@@ -35,11 +35,12 @@ Grid seen_from_visit(const IdealWorld& world, const Pose2& world_from_visit) {
 }
 
 Grid seen_badly(Grid place_map, RandomEngine& random) {
-  for (int box = 0; box < 3; ++box) fill(place_map, anywhere(6, random), 0.25, kWall);
-  for (int person = 0; person < 3; ++person) fill(place_map, anywhere(4, random), 0.1, kWall);
+  for (int box = 0; box < 3; ++box) fill(place_map, anywhere(6, random), 0.25, wall_log_odds);
+  for (int person = 0; person < 3; ++person)
+    fill(place_map, anywhere(4, random), 0.1, wall_log_odds);
   for (int corner = 0; corner < 2; ++corner) fill(place_map, anywhere(8, random), 1.2, 0);
   for (float& log_odds : place_map.log_odds)
-    if (chance(kWrong, random)) log_odds = chance(0.5, random) ? kWall : -log_odds;
+    if (chance(wrong_share, random)) log_odds = chance(0.5, random) ? wall_log_odds : -log_odds;
   return place_map;
 }
 

@@ -12,13 +12,13 @@
 namespace asterism {
 namespace {
 
-constexpr double kWidth_m = 2;
-constexpr double kRadius_m = 12;
+constexpr double corridor_width_m = 2;
+constexpr double walls_radius_m = 12;
 // A start off by 0.7 m and 0.2 rad at most is as well known as that.
-constexpr PoseCovariance kOfStart{4, 0, 0, 0, 4, 0, 0, 0, 40};
+constexpr PoseCovariance information_of_start = diagonal(4, 40);
 // A cell is 0.1 m: a wall's pieces lie on its middle line, to a part of that.
-constexpr double kFine_m = 0.03;
-constexpr double kFine_rad = 0.01;
+constexpr double fine_m = 0.03;
+constexpr double fine_rad = 0.01;
 
 using Matrix3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
@@ -30,7 +30,7 @@ double apart_rad(const Pose2& a, const Pose2& b) {
 }
 
 IdealWorld world_named(const std::string& name) {
-  for (const IdealWorld& world : ideal_worlds(kWidth_m))
+  for (const IdealWorld& world : ideal_worlds(corridor_width_m))
     if (world.name == name) return world;
   throw std::invalid_argument(name);
 }
@@ -66,14 +66,14 @@ TEST_CASE("walls tell where a visit was, from a start off by much", "[metric][pr
     for (int i = 0; i < 70; ++i) {
       const bool badly = i % 2 == 1;
       const Visits visits(world_named(name), badly, random);
-      const PlaceWalls first(visits.first, kRadius_m);
-      const PlaceWalls second(visits.second, kRadius_m);
+      const PlaceWalls first(visits.first, walls_radius_m);
+      const PlaceWalls second(visits.second, walls_radius_m);
       const Pose2 start = visits.first_from_second() * any_motion(0.7, 0.2, random);
-      const WallFit fit = fit_walls(first, second, start, kOfStart);
+      const WallFit fit = fit_walls(first, second, start, information_of_start);
       INFO(name << " " << i << " of " << first.pieces().size() << " pieces");
-      off += apart_m(fit.first_from_second, visits.first_from_second()) < kFine_m ? 0 : 1;
+      off += apart_m(fit.first_from_second, visits.first_from_second()) < fine_m ? 0 : 1;
       CHECK(apart_m(fit.first_from_second, visits.first_from_second()) < 0.1);
-      CHECK(apart_rad(fit.first_from_second, visits.first_from_second()) < kFine_rad);
+      CHECK(apart_rad(fit.first_from_second, visits.first_from_second()) < fine_rad);
       CHECK(fit.matched_walls > (badly ? 0.85 : 0.97));
     }
   }
@@ -87,14 +87,14 @@ TEST_CASE("along a straight corridor the start is kept", "[metric][property]") {
   RandomEngine random(2);
   for (int i = 0; i < 60; ++i) {
     const Visits visits(world_named("corridor"), false, random);
-    const PlaceWalls first(visits.first, kRadius_m);
-    const PlaceWalls second(visits.second, kRadius_m);
+    const PlaceWalls first(visits.first, walls_radius_m);
+    const PlaceWalls second(visits.second, walls_radius_m);
     const Pose2 start = visits.first_from_second() * any_motion(0.5, 0.1, random);
-    const WallFit fit = fit_walls(first, second, start, kOfStart);
-    CHECK(apart_rad(fit.first_from_second, visits.first_from_second()) < kFine_rad);
+    const WallFit fit = fit_walls(first, second, start, information_of_start);
+    CHECK(apart_rad(fit.first_from_second, visits.first_from_second()) < fine_rad);
     const Point2 along = unit_vector(-visits.world_from_first.heading_rad);
     const Point2 off = fit.first_from_second.position() - visits.first_from_second().position();
-    CHECK(std::abs(cross(along, off)) < kFine_m);
+    CHECK(std::abs(cross(along, off)) < fine_m);
     // A small turn about the start moves the frame along by little.
     CHECK(std::abs(dot(along, fit.first_from_second.position() - start.position())) < 0.08);
 
@@ -116,16 +116,16 @@ TEST_CASE("another place has other walls", "[metric][property]") {
   for (const char* const name : {"L", "T", "dead end", "corridor"}) {
     for (int i = 0; i < 10; ++i) {
       const Visits visits(world_named(name), false, random);
-      const PlaceWalls of_plus(seen_from_visit(plus, visits.world_from_first), kRadius_m);
-      const PlaceWalls first(visits.first, kRadius_m);
-      const PlaceWalls second(visits.second, kRadius_m);
+      const PlaceWalls of_plus(seen_from_visit(plus, visits.world_from_first), walls_radius_m);
+      const PlaceWalls first(visits.first, walls_radius_m);
+      const PlaceWalls second(visits.second, walls_radius_m);
       const Pose2 start = visits.first_from_second();
       INFO(name);
-      CHECK(fit_walls(of_plus, second, start, kOfStart).matched_walls + 0.01 <
-            fit_walls(first, second, start, kOfStart).matched_walls);
+      CHECK(fit_walls(of_plus, second, start, information_of_start).matched_walls + 0.01 <
+            fit_walls(first, second, start, information_of_start).matched_walls);
       // Elsewhere altogether: a wall to the side of each corridor.
       const Pose2 aside = start * Pose2{1.2, 1.2, 0.7};
-      CHECK(fit_walls(first, second, aside, {1e4, 0, 0, 0, 1e4, 0, 0, 0, 1e5}).matched_walls < 0.6);
+      CHECK(fit_walls(first, second, aside, diagonal(1e4, 1e5)).matched_walls < 0.6);
     }
   }
 }
@@ -139,14 +139,14 @@ TEST_CASE("a fit moves with either frame", "[metric][property]") {
     constexpr double all_m = 100;
     const PlaceWalls first(visits.first, all_m);
     const PlaceWalls second(visits.second, all_m);
-    const WallFit fit = fit_walls(first, second, start, kOfStart);
+    const WallFit fit = fit_walls(first, second, start, information_of_start);
 
     const Pose2 moved_from_first = any_motion(5, 3, random);
     const Pose2 moved_from_second = any_motion(5, 3, random);
     Grid moved_first = visits.first;
     moved_first.frame_from_grid = moved_from_first * moved_first.frame_from_grid;
-    const WallFit one =
-        fit_walls(PlaceWalls(moved_first, all_m), second, moved_from_first * start, kOfStart);
+    const WallFit one = fit_walls(PlaceWalls(moved_first, all_m), second, moved_from_first * start,
+                                  information_of_start);
     // A piece on the border of two cells may fall to either.
     constexpr double little = 2e-3;
     CHECK(apart_m(one.first_from_second, moved_from_first * fit.first_from_second) < little);
@@ -156,10 +156,16 @@ TEST_CASE("a fit moves with either frame", "[metric][property]") {
     Grid moved_second = visits.second;
     moved_second.frame_from_grid = moved_from_second * moved_second.frame_from_grid;
     const PoseCovariance of_start = [&] {
-      const PoseCovariance numbers = adjoint(inverse(moved_from_second));
-      const Matrix3 motion = matrix(numbers);
+      Matrix3 motion;  // Ad(second_from_moved), column by column
+      for (std::size_t column = 0; column < 3; ++column) {
+        SmallMotion unit{};
+        unit[column] = 1;
+        const SmallMotion seen = seen_from(inverse(moved_from_second), unit);
+        motion.col(Eigen::Index(column)) = Eigen::Map<const Eigen::Vector3d>(seen.data());
+      }
       PoseCovariance result;
-      Eigen::Map<Matrix3>{result.data()} = motion.transpose() * matrix(kOfStart) * motion;
+      Eigen::Map<Matrix3>{result.data()} =
+          motion.transpose() * matrix(information_of_start) * motion;
       return result;
     }();
     const Pose2 second_from_moved = inverse(moved_from_second);
@@ -174,13 +180,13 @@ TEST_CASE("the second fits the first as the first the second", "[metric][propert
   RandomEngine random(5);
   for (int i = 0; i < 60; ++i) {
     const Visits visits(world_named(i % 2 == 0 ? "T" : "+"), i % 4 < 2, random);
-    const PlaceWalls first(visits.first, kRadius_m);
-    const PlaceWalls second(visits.second, kRadius_m);
+    const PlaceWalls first(visits.first, walls_radius_m);
+    const PlaceWalls second(visits.second, walls_radius_m);
     const Pose2 start = visits.first_from_second() * any_motion(0.4, 0.1, random);
-    const WallFit there = fit_walls(first, second, start, kOfStart);
-    const WallFit back = fit_walls(second, first, inverse(start), kOfStart);
-    CHECK(apart_m(inverse(back.first_from_second), there.first_from_second) < kFine_m);
-    CHECK(apart_rad(inverse(back.first_from_second), there.first_from_second) < kFine_rad);
+    const WallFit there = fit_walls(first, second, start, information_of_start);
+    const WallFit back = fit_walls(second, first, inverse(start), information_of_start);
+    CHECK(apart_m(inverse(back.first_from_second), there.first_from_second) < fine_m);
+    CHECK(apart_rad(inverse(back.first_from_second), there.first_from_second) < fine_rad);
     CHECK(back.matched_walls == Approx(there.matched_walls).margin(0.02));
   }
 }
@@ -191,8 +197,8 @@ TEST_CASE("information is the curvature of the sum of squares", "[metric][proper
   constexpr WallFitOptions options;
   for (int i = 0; i < 20; ++i) {
     const Visits visits(world_named("T"), false, random);
-    const PlaceWalls walls(visits.first, kRadius_m);
-    const WallFit fit = fit_walls(walls, walls, Pose2{}, kOfStart, options);
+    const PlaceWalls walls(visits.first, walls_radius_m);
+    const WallFit fit = fit_walls(walls, walls, Pose2{}, information_of_start, options);
     CHECK(apart_m(fit.first_from_second, {}) < 1e-3);
     const auto sum = [&](double a, int row, double b, int column) {
       SmallMotion motion{};

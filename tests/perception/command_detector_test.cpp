@@ -7,7 +7,7 @@
 #include <array>
 #include <filesystem>
 
-#include "io/detector_lines.hpp"
+#include "io/json/detector_lines.hpp"
 #include "perception/plugin_error.hpp"
 #include "tests/perception/corridor_drive.hpp"
 #include "tests/perception/messages.hpp"

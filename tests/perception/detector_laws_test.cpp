@@ -55,7 +55,7 @@ DetectedVisit lawful_visit(long long first, long long last) {
   seen.visit.scans = {first, last};
   seen.visit.stamps_s = {0.5 * static_cast<double>(first), 0.5 * static_cast<double>(last)};
   seen.visit.gateways = {{"a+", 1, 0, 0, 2}, {"a-", -1, 0, 3.14, 2}, {"b+", 0, -1, -1.57, 2}};
-  seen.visit.displacement = Displacement{1, 2, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+  seen.visit.displacement = make_displacement({1, 2, 3}, diagonal(1, 1));
   seen.place_map = Grid{2, 2, 1, {-1, -1}, {0, 1, 2, 3}};
   return seen;
 }

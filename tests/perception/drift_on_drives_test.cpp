@@ -12,16 +12,16 @@
 namespace asterism {
 namespace {
 
-constexpr double kBound95 = 7.815;  // of χ² with three degrees of freedom
+constexpr double bound_of_95_percent = 7.815;  // of χ² with three degrees of freedom
 
 struct Error {
   double position_m = 0;
   double heading_rad = 0;
-  double chi2 = 0;
+  double chi_squared = 0;
 };
 
 // eᵀ C⁻¹ e, by Cholesky's C = L Lᵀ.
-double chi2(const SmallMotion& error, const PoseCovariance& covariance) {
+double chi_squared(const SmallMotion& error, const PoseCovariance& covariance) {
   PoseCovariance lower{};
   SmallMotion white{};
   double sum = 0;
@@ -71,7 +71,7 @@ std::vector<Error> travels(std::uint64_t seed) {
     const Pose2 estimated = inverse(poses[from].map_from_robot) * poses[to].map_from_robot;
     const Pose2 off = inverse(estimated) * (inverse(truth[from]) * truth[to]);
     errors.push_back({norm(off.position()), std::abs(off.heading_rad),
-                      chi2({off.x_m, off.y_m, off.heading_rad}, covariance)});
+                      chi_squared({off.x_m, off.y_m, off.heading_rad}, covariance)});
   }
   return errors;
 }
@@ -86,13 +86,14 @@ TEST_CASE("displacements are as wrong as their covariances say", "[perception][p
   }
   REQUIRE(all.size() == 16);
   double sum = 0;
-  for (const Error& error : all) sum += error.chi2 / 3;
+  for (const Error& error : all) sum += error.chi_squared / 3;
   const double mean = sum / static_cast<double>(all.size());
   CAPTURE(mean);
   // 16 travels: the mean of χ² / 3 is 1 ± 0.2; walls are not as independent as that asks for.
   CHECK(mean > 0.3);
   CHECK(mean < 2);
-  CHECK(std::ranges::count_if(all, [](const Error& e) { return e.chi2 < kBound95; }) >= 14);
+  CHECK(std::ranges::count_if(
+            all, [](const Error& e) { return e.chi_squared < bound_of_95_percent; }) >= 14);
   // The wheels alone: 0.6 m and 5°.
   const auto median = [&](auto part) {
     std::ranges::nth_element(all, all.begin() + 8, {}, part);

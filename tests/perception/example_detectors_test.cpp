@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "io/detector_lines.hpp"
+#include "io/json/detector_lines.hpp"
 #include "perception/command_detector.hpp"
 #include "perception/detector_laws.hpp"
 #include "perception/shared_detector.hpp"

@@ -11,8 +11,8 @@
 namespace asterism {
 namespace {
 
-constexpr float kFree = -3.5F;
-constexpr float kWall = 3.5F;
+constexpr float free_log_odds = -3.5F;
+constexpr float wall_log_odds = 3.5F;
 
 Grid filled(int width, int height, float value, double resolution_m = 0.1) {
   Grid grid{.width = width, .height = height, .resolution_m = resolution_m};
@@ -84,7 +84,7 @@ TEST_CASE("squared distances stay exact across a large picture", "[perception]")
 //   . # # . . . .
 //   . . . . . . .
 TEST_CASE("an island goes if it is surrounded and small", "[perception]") {
-  const float what = GENERATE(kWall, 0.0F);
+  const float what = GENERATE(wall_log_odds, 0.0F);
   const double resolution_m = GENERATE(0.05, 0.10);
   const int most = resolution_m == 0.05 ? 20 : 10;  // cells in a metre
   const FreeSpaceOptions options{.island_max_m = 1.0 + 1e-9};
@@ -92,24 +92,24 @@ TEST_CASE("an island goes if it is surrounded and small", "[perception]") {
 
   for (const int side : {1, 5, most, most + 1, most + 5}) {
     CAPTURE(side);
-    Grid grid = filled(60, 60, kFree, resolution_m);
+    Grid grid = filled(60, 60, free_log_odds, resolution_m);
     // Deep enough not to be taken for a gap between beams.
     fill(grid, {20, 25}, std::max(side, 5), 8, what);
     const FreeSpace space = free_space(grid, options);
     CHECK(space.is_free({22, 28}) == (side <= most));
 
     // At the grid's edge it may go on.
-    Grid edge = filled(60, 60, kFree, resolution_m);
+    Grid edge = filled(60, 60, free_log_odds, resolution_m);
     fill(edge, {20, 0}, std::max(side, 5), 5, what);
     CHECK_FALSE(free_space(edge, options).is_free({22, 1}));
   }
 }
 
 TEST_CASE("an island is what touches by corners too, and is measured as one", "[perception]") {
-  Grid grid = filled(60, 60, kFree);
-  for (int i = 0; i < 11; ++i) fill(grid, {20 + i, 20 + i}, 1, 1, kWall);  // 1.1 m across
+  Grid grid = filled(60, 60, free_log_odds);
+  for (int i = 0; i < 11; ++i) fill(grid, {20 + i, 20 + i}, 1, 1, wall_log_odds);  // 1.1 m across
   CHECK_FALSE(free_space(grid).is_free({25, 25}));
-  grid.log_odds[grid.index({25, 25})] = kFree;  // now two of 0.5 m
+  grid.log_odds[grid.index({25, 25})] = free_log_odds;  // now two of 0.5 m
   CHECK(free_space(grid).is_free({24, 24}));
   CHECK(free_space(grid).is_free({26, 26}));
 }
@@ -117,7 +117,7 @@ TEST_CASE("an island is what touches by corners too, and is measured as one", "[
 TEST_CASE("random islands go exactly if they are small", "[perception][property]") {
   RandomEngine random(2);
   for (int world = 0; world < 100; ++world) {
-    Grid grid = filled(80, 80, kFree);
+    Grid grid = filled(80, 80, free_log_odds);
     // One to a quarter of the grid, so that none touch.
     struct Island {
       Cell low;
@@ -129,7 +129,7 @@ TEST_CASE("random islands go exactly if they are small", "[perception][property]
                      corner.row + static_cast<int>(below(10, random))};
       islands.push_back(
           {low, 1 + static_cast<int>(below(20, random)), 1 + static_cast<int>(below(20, random))});
-      fill(grid, low, islands.back().columns, islands.back().rows, kWall);
+      fill(grid, low, islands.back().columns, islands.back().rows, wall_log_odds);
     }
     const FreeSpace space = free_space(grid, {.island_max_m = 0.95});
     for (const auto& [low, columns, rows] : islands) {
@@ -140,15 +140,15 @@ TEST_CASE("random islands go exactly if they are small", "[perception][property]
 }
 
 TEST_CASE("gaps between beams are filled, never through a wall", "[perception]") {
-  Grid grid = filled(40, 40, kFree);
+  Grid grid = filled(40, 40, free_log_odds);
   fill(grid, {0, 20}, 40, 3, 0.0F);  // three cells deep: the middle one has free ones two away
   CHECK(free_space(grid).is_free({20, 21}));
   fill(grid, {0, 20}, 40, 5, 0.0F);
   CHECK_FALSE(free_space(grid).is_free({20, 22}));
   Grid wall = filled(40, 40, 0.0F);
-  fill(wall, {0, 0}, 40, 19, kFree);
-  fill(wall, {0, 19}, 40, 1, kWall);
-  fill(wall, {0, 21}, 40, 19, kFree);
+  fill(wall, {0, 0}, 40, 19, free_log_odds);
+  fill(wall, {0, 19}, 40, 1, wall_log_odds);
+  fill(wall, {0, 21}, 40, 19, free_log_odds);
   CHECK_FALSE(free_space(wall).is_free({20, 20}));
 }
 
@@ -158,14 +158,15 @@ TEST_CASE("gaps are those found cell by cell", "[perception][property]") {
     Grid grid = filled(1 + static_cast<int>(below(140, random)), 30, 0.0F);
     const double free = uniform(random);
     for (float& log_odds : grid.log_odds) {
-      log_odds = chance(free, random) ? kFree : chance(0.2, random) ? kWall : 0.0F;
+      log_odds = chance(free, random) ? free_log_odds : chance(0.2, random) ? wall_log_odds : 0.0F;
     }
     const auto is = [&](Cell cell, float what) {
       return grid.contains(cell) && grid.log_odds[grid.index(cell)] == what;
     };
     const auto free_towards = [&](Cell cell, int right, int up) {
       const Cell next{cell.column + right, cell.row + up};
-      return is(next, kFree) || (is(next, 0.0F) && is({next.column + right, next.row + up}, kFree));
+      return is(next, free_log_odds) ||
+             (is(next, 0.0F) && is({next.column + right, next.row + up}, free_log_odds));
     };
     const FreeSpace space = free_space(grid, {.island_max_m = 0});
     for (int row = 0; row < grid.height; ++row) {
@@ -176,7 +177,7 @@ TEST_CASE("gaps are those found cell by cell", "[perception][property]") {
           gap = gap || (free_towards(cell, right, up) && free_towards(cell, -right, -up));
         }
         CAPTURE(world, grid.width, column, row);
-        REQUIRE(space.is_free(cell) == (is(cell, kFree) || (is(cell, 0.0F) && gap)));
+        REQUIRE(space.is_free(cell) == (is(cell, free_log_odds) || (is(cell, 0.0F) && gap)));
       }
     }
   }
@@ -186,8 +187,8 @@ TEST_CASE("a corridor of n cells has a clearance of half its width", "[perceptio
   const int n = GENERATE(1, 2, 3, 9, 10, 25, 26);
   const bool walled = GENERATE(true, false);
   CAPTURE(n, walled);
-  Grid grid = filled(100, 60, walled ? kWall : 0.0F);
-  fill(grid, {0, 15}, 100, n, kFree);
+  Grid grid = filled(100, 60, walled ? wall_log_odds : 0.0F);
+  fill(grid, {0, 15}, 100, n, free_log_odds);
   const FreeSpace space = free_space(grid);
   double most_m = 0;
   for (int row = 0; row < 60; ++row) most_m = std::max(most_m, space.clearance({50, row}));

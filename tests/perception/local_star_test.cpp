@@ -14,7 +14,7 @@ constexpr double pi = std::numbers::pi;
 
 // A gateway two metres from the place's centre, in this direction.
 Gateway at(double degrees, double width_m = 2) {
-  const double outward_rad = wrapped(degrees * pi / 180);
+  const double outward_rad = wrapped(radians(degrees));
   return {2 * unit_vector(outward_rad), outward_rad, width_m};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "perception/local_perceptual_map.hpp"
 #include "tests/support/catch.hpp"
@@ -19,11 +20,18 @@ struct Errors {
   double odometry_m = 0;  ///< how far off the wheels were in the end
   double driven_m = 0;
   Pose2 last = {};
+  std::vector<long long> jumps = {};  ///< scans at which the wheels were not believed
+};
+
+/// What the wheels tell on top of a step.
+struct Leap {
+  long long scan = -1;  ///< at which it ends
+  Pose2 step = {};
 };
 
 // Ten metres round a room in steps of 0.1 m and 9°, the wheels off by `slip` of every step, always
 // to the same side as well as at random.
-Errors drive(std::uint64_t seed, double slip) {
+Errors drive(std::uint64_t seed, double slip, const Leap& leap = {}) {
   const Room room{.width_m = 8, .height_m = 6};
   RandomEngine random(seed);
   const Pose2 start{-2, -1.5, 0};
@@ -36,6 +44,7 @@ Errors drive(std::uint64_t seed, double slip) {
     Scan scan = room.scan(truth, number);
     scan.odom_from_robot = odometry;
     const Localiser::Estimate estimate = localiser.observe(scan, map);
+    if (estimate.jump) errors.jumps.push_back(number);
     const Pose2 off = inverse(truth) * estimate.map_from_robot;
     errors.most_m = std::max(errors.most_m, norm(off.position()));
     errors.most_rad = std::max(errors.most_rad, std::abs(off.heading_rad));
@@ -51,7 +60,8 @@ Errors drive(std::uint64_t seed, double slip) {
     odometry = odometry * Pose2{step.x_m * scale, step.x_m * between(-slip, slip, random),
                                 step.heading_rad * scale + step.x_m * bias};
     errors.driven_m += step.x_m;
-    look(++number);
+    if (++number == leap.scan) odometry = odometry * leap.step;
+    look(number);
   };
   for (const double side_m : {4.0, 2.0, 4.0}) {
     for (int step = 0; step < std::lround(side_m / 0.1); ++step) move({0.1, 0, 0});
@@ -82,6 +92,22 @@ TEST_CASE("wheels that are right stay right", "[perception]") {
   const Errors errors = drive(1, 0);
   CHECK(errors.odometry_m < 1e-6);
   CHECK(errors.most_m < 0.02);  // walls are known finer than their cells
+}
+
+TEST_CASE("wheels that jump are not believed, and the walls bridge the jump",
+          "[perception][property]") {
+  const auto seed = GENERATE(range<std::uint64_t>(1, 25));
+  RandomEngine random(seed);
+  const double way_rad = between(-pi, pi, random);
+  const double far_m = std::pow(10, between(0, 6, random));
+  const Leap leap{static_cast<long long>(10 + seed * 4),
+                  {far_m * std::cos(way_rad), far_m * std::sin(way_rad), between(-pi, pi, random)}};
+  const Errors errors = drive(seed, 0.05, leap);
+  CAPTURE(seed, leap.scan, far_m, errors.most_m, errors.most_rad);
+  CHECK(errors.jumps == std::vector{leap.scan});
+  CHECK(errors.most_m < 0.1);
+  CHECK(errors.most_rad < 0.02);
+  CHECK(drive(seed, 0.05).jumps.empty());
 }
 
 TEST_CASE("the same drive gives the same poses", "[perception]") {

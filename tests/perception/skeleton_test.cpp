@@ -1,4 +1,4 @@
-#include "perception/pruning.hpp"
+#include "perception/shortest_paths.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -186,7 +186,8 @@ TEST_CASE("shortest paths are those of relaxing every step again and again",
   const Skeleton found = skeleton(free_space(grid), middle(grid));
   REQUIRE(found.exits.size() > 1);
   const std::size_t start = found.exits.front();
-  const ShortestPaths paths = shortest_paths(found, start);
+  const ShortestPaths paths =
+      shortest_paths(found, {start}, std::vector<bool>(found.points.size(), true));
   std::vector<double> length(found.points.size(), std::numeric_limits<double>::infinity());
   length[start] = 0;
   for (bool changed = true; changed;) {

@@ -125,8 +125,8 @@ TEST_CASE("from place to place there are 8 m of corridor, and room to pass",
   for (const auto& [gateway, reached] : building.world.segments) {
     const Point2 from = building.world.places[gateway.place.index()].position;
     const Point2 way = building.world.places[reached.place.index()].position - from;
-    const Point2 along = (1 / norm(way)) * way;
-    const Point2 left{-along.y_m, along.x_m};
+    const Point2 along = unit_towards({}, way);
+    const Point2 left = left_of(along);
     int narrow = 0;  // points where the corridor runs, 0.1 m apart
     for (double at_m = 0; at_m < norm(way); at_m += 0.1) {
       const Point2 point = from + at_m * along;

@@ -98,7 +98,7 @@ TEST_CASE("clingo counts as brute force does", "[benchmarks][clingo][property]")
 }
 
 TEST_CASE("the benchmark traces are what they were", "[benchmarks]") {
-  for (const BenchmarkTrace& benchmark : kBenchmarkTraces) {
+  for (const BenchmarkTrace& benchmark : benchmark_traces) {
     const Trace trace = make_trace(benchmark);
     CHECK_NOTHROW(require_valid(trace));
     CHECK(trace.visits.size() == benchmark.travels + 1);
@@ -107,9 +107,9 @@ TEST_CASE("the benchmark traces are what they were", "[benchmarks]") {
 
 TEST_CASE("the walks that grow are what they were", "[benchmarks]") {
   const auto [walk, name, hash] =
-      GENERATE(std::tuple(kGridWalks[1], "4 × 4, 40 travels", 0xb76e3a5417ecd393ULL),
-               std::tuple(kGridWalks[3], "6 × 6, 100 travels", 0x7effd7cdf149aa90ULL),
-               std::tuple(kCorridorWalks[2], "10 corridors, 45 travels", 0x1f7c4133bd0701d8ULL));
+      GENERATE(std::tuple(grid_walks[1], "4 × 4, 40 travels", 0xb76e3a5417ecd393ULL),
+               std::tuple(grid_walks[3], "6 × 6, 100 travels", 0x7effd7cdf149aa90ULL),
+               std::tuple(corridor_walks[2], "10 corridors, 45 travels", 0x1f7c4133bd0701d8ULL));
   const Trace trace = make_trace(walk, 1);
   CHECK_NOTHROW(require_valid(trace));
   CHECK(trace.name == name);

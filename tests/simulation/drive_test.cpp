@@ -106,7 +106,7 @@ TEST_CASE("the true trace is where the robot truly was", "[simulation][property]
   Pose2 frame = poses[static_cast<std::size_t>(trace.visits.front().scans.value()[0])];
   for (std::size_t k = 1; k < trace.visits.size(); ++k) {
     const Displacement& moved = trace.visits[k].displacement.value();
-    frame = frame * Pose2{moved.x_m, moved.y_m, moved.heading_rad};
+    frame = frame * moved.left_from_reached();
     const Pose2& there = poses[static_cast<std::size_t>(trace.visits[k].scans.value()[0])];
     CHECK(norm(there.position() - frame.position()) < 1e-6);
     CHECK(apart_rad(there, frame) < 1e-6);

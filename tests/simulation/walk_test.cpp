@@ -83,12 +83,12 @@ TEST_CASE("a walk through given places visits them", "[simulation]") {
   RandomEngine engine(1);
   const World world = grid_world({.width = 2, .height = 2, .missing = 0, .stubs = 0}, engine);
   const std::vector<PlaceId> square{PlaceId(0), PlaceId(1), PlaceId(3), PlaceId(2), PlaceId(0)};
-  const Walk walked = walk_through(world, square, false, engine);
+  const Walk walked = walk_along(world, route_through(world, square), false, engine);
   CHECK(places(walked) == std::vector<std::string>{"0", "1", "3", "2", "0"});
   CHECK(walked.truth.back() == Arrival{PlaceId(0), 2});
   CHECK(walked.truth[2] == Arrival{PlaceId(2), 0});
 
   const std::vector<PlaceId> diagonal{PlaceId(0), PlaceId(3)};
-  CHECK_THROWS_AS(walk_through(world, diagonal, false, engine), std::invalid_argument);
-  CHECK_THROWS_AS(walk_through(world, {}, false, engine), std::invalid_argument);
+  CHECK_THROWS_AS(route_through(world, diagonal), std::invalid_argument);
+  CHECK_THROWS_AS(route_through(world, {}), std::invalid_argument);
 }

@@ -27,7 +27,7 @@ PlaceArm opposite(const Candidate& map, PlaceArm arm) {
 }
 
 /// Whether one star read clockwise from arm i equals another read from arm j, up to labels and
-/// signs.                                                                         [DESIGN §3]
+/// signs.                                                                         [theory §3]
 bool match(const Star& one, std::size_t i, const Star& other, std::size_t j) {
   const std::size_t size = one.size();
   if (other.size() != size) return false;
@@ -98,7 +98,7 @@ PlaceArm next_round_face(const Candidate& map, PlaceArm gateway) {
   return on;
 }
 
-/// V - E + F = 2; a map without segments is planar.                              [DESIGN §7]
+/// V - E + F = 2; a map without segments is planar.                              [theory §7]
 bool is_planar(const Candidate& map) {
   std::size_t faces = 0;
   std::set<PlaceArm> seen;

@@ -13,15 +13,15 @@ namespace asterism {
 /// A plain enumerator of maps, written apart from everything else so that it can judge the rest. It
 /// knows core's data, none of its functions but Star's arms, opposite ones included in its own way.
 struct BruteForceOptions {
-  bool planar = false;        ///< V - E + F = 2                                     [DESIGN §7]
-  bool one_segment = false;   ///< two places are joined by at most one segment      [DESIGN §5]
-  bool one_crossing = false;  ///< two paths meet at most once                       [DESIGN §5]
+  bool planar = false;        ///< V - E + F = 2                                     [theory §7]
+  bool one_segment = false;   ///< two places are joined by at most one segment      [theory §5]
+  bool one_crossing = false;  ///< two paths meet at most once                       [theory §5]
 };
 
 using Association = std::vector<Arrival>;
 
 /// Whether this data association is consistent with the visits it covers: tested whole, against
-/// DESIGN §3-§5 and §7.   @pre  places are numbered by first visit
+/// [theory §3-§5, §7]   @pre  places are numbered by first visit
 bool is_consistent(const Trace& trace, const Association& association,
                    const BruteForceOptions& options);
 

@@ -36,4 +36,14 @@ auto accepted(std::string_view where, Read read) -> std::optional<decltype(read(
   }
 }
 
+/// Any text is refused, or read as something of which this holds.
+/// @return what a fuzz target returns
+template <class Read, class Holds>
+int fuzz_text(const std::uint8_t* data, std::size_t size, Read read, Holds holds) {
+  const std::string text = fuzz_input(data, size);
+  if (const auto value = accepted("input", [&] { return read(text, "input"); }))
+    require(holds(*value));
+  return 0;
+}
+
 }  // namespace asterism

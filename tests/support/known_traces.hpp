@@ -8,7 +8,7 @@
 
 namespace asterism {
 
-/// Counts on which programs written apart agree.                                  [DESIGN §10]
+/// Counts on which programs written apart agree.                                  [theory §10]
 struct KnownCounts {
   std::size_t consistent = 0;
   std::vector<std::size_t> per_visit;

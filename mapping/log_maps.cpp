@@ -1,0 +1,113 @@
+#include "mapping/log_maps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <span>
+#include <utility>
+
+#include "mapping/axiom_source.hpp"
+#include "metric/alignment.hpp"
+
+namespace asterism {
+namespace {
+
+Theory theory_of(const LogQuestion& asked, const Trace& trace) {
+  return {.planar = asked.maps.theory.planar,
+          .assumptions = assumptions_of(asked.assumptions, trace)};
+}
+
+ExplainedTrace find_maps(const LogQuestion& asked, const Trace& trace, const Theory& theory,
+                         const MapWatch& watch) {
+  MapOptions options = asked.maps;
+  options.theory = record_of(theory);
+  return explain_trace(trace, theory, options, asked.only_minimal, watch);
+}
+
+/// The explained trace with its maps ranked, and with the reason why no more of it is explained.
+ExplainedTrace ranked(ExplainedTrace explained, const LogQuestion& asked,
+                      const Perceived& perceived) {
+  MapReport& report = explained.report;
+  report.ranked = rank(explained.maps, perceived.place_maps, asked.ranking);
+  if (report.explained_visits && explained.why.empty())
+    explained.why =
+        why_no_more(perceived.trace, report.ranked.front().map, explained.maps.theory());
+  return explained;
+}
+
+/// Of global maps that are coarser than asked for, or not there.
+std::vector<std::string> remarks_on_drawings(const LogMaps& maps, double resolution_m) {
+  std::vector<std::string> remarks;
+  const auto look_at = [&](const std::string& what, const Grid& map) {
+    if (map.resolution_m > resolution_m)
+      remarks.push_back(
+          fmt::format("{} is drawn in cells of {} m: with cells of {} m it would be "
+                      "too large for a picture",
+                      what, map.resolution_m, resolution_m));
+  };
+  for (std::size_t i = 0; i < maps.models.size(); ++i) {
+    const DrawnModel& model = maps.models[i];
+    const std::string rank = fmt::format("rank {}", i + 1);
+    if (model.global_map)
+      look_at(rank, *model.global_map);
+    else
+      remarks.push_back(rank + " is not drawn: " + model.fault);
+  }
+  look_at("the map by raw odometry", *maps.odometry_map);
+  return remarks;
+}
+
+}  // namespace
+
+LogMaps map_log(const std::string& file, const LogQuestion& asked, const LogWatch& watch) {
+  Perceived perceived = perceive(file, asked.laser, asked.detector, watch.read);
+  watch.perceived(perceived);
+  const Theory theory = theory_of(asked, perceived.trace);
+  ExplainedTrace explained = find_maps(asked, perceived.trace, theory, watch.maps);
+  watch.explained(explained);
+  explained = ranked(std::move(explained), asked, perceived);
+  watch.ranked(explained);
+  LogMaps maps{std::move(perceived), std::move(explained)};
+  maps.models = draw_models(maps.perceived, maps.explained.report.ranked, asked.resolution_m);
+  maps.odometry_map = odometry_map(maps.perceived, asked.resolution_m);
+  maps.remarks = maps.perceived.remarks;
+  std::ranges::copy(remarks_on_drawings(maps, asked.resolution_m),
+                    std::back_inserter(maps.remarks));
+  return maps;
+}
+
+std::vector<RankedMap> rank(const TraceMaps& maps,
+                            const std::vector<std::optional<Grid>>& place_maps,
+                            const RankingOptions& options) {
+  PlaceAlignments alignments(maps.trace(), place_maps);
+  Ranking ranking(maps.trace(), std::ref(alignments), options);
+  if (maps.are_minimal_alone()) {
+    ranking.add([list = maps.minimal()](const auto& f) {
+      list.for_each_while([&](std::span<const Arrival> map) {
+        f(map);
+        return true;
+      });
+    });
+  } else {
+    const MapTree& tree = maps.tree();
+    for (const auto& hypotheses : tree.by_preference()) {
+      ranking.add([&tree, hypotheses](const auto& f) {
+        tree.for_each(hypotheses, [&](HypothesisId, std::span<const Arrival> map) { f(map); });
+      });
+      if (ranking.is_settled()) break;
+    }
+  }
+  std::vector<RankedMap> result = ranking.best();
+  // The minimal models stand beside the best, however ill they fit.
+  for (RankedMap& minimal : ranking.most_preferred()) {
+    const auto is_same = [&](const RankedMap& other) {
+      return arrivals(other.map) == arrivals(minimal.map);
+    };
+    if (std::ranges::none_of(result, is_same)) result.push_back(std::move(minimal));
+  }
+  return result;
+}
+
+}  // namespace asterism

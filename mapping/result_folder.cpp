@@ -1,0 +1,190 @@
+#include "mapping/result_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/shown.hpp"
+#include "mapping/log_files.hpp"
+#include "mapping/model_files.hpp"
+
+namespace asterism {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
+  std::error_code error;
+  return {fs::directory_iterator(folder, error), fs::directory_iterator()};
+}
+
+/// Whether a name is this, a number and that.
+bool is_numbered(std::string_view name, std::string_view before, std::string_view after) {
+  if (name.size() <= before.size() + after.size() || !name.starts_with(before) ||
+      !name.ends_with(after))
+    return false;
+  name = name.substr(before.size(), name.size() - before.size() - after.size());
+  return std::ranges::all_of(name, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_result(const fs::path& file) {
+  const std::string folder = file.parent_path().string();
+  const std::string name = file.filename().string();
+  const auto is_one_of = [&](const auto& names) {
+    return std::ranges::find(names, name) != std::ranges::end(names);
+  };
+  if (folder == "log.lpm")
+    return is_numbered(name, "visit-", ".json") || is_numbered(name, "visit-", ".png");
+  if (is_numbered(folder, "model-", "")) return is_one_of(model_file_names);
+  return folder.empty() && (is_one_of(model_file_names) || is_one_of(log_file_names));
+}
+
+/// The folders that a run makes, and what may lie beside its files.
+bool is_result_folder(const fs::path& name) {
+  return name == "log.lpm" || is_numbered(name.string(), "model-", "");
+}
+
+/// Files as deep as a run's lie: those it gives, or all others, from where the folder lies. Of
+/// others' folders only their names: what is in them is no concern of a run.
+std::vector<fs::path> files_in(const fs::path& folder, bool of_a_run) {
+  std::vector<fs::path> files;
+  const auto add = [&](const fs::path& file) {
+    const bool is_folder = fs::is_directory(fs::symlink_status(folder / file));
+    if ((is_result(file) && !is_folder) == of_a_run) files.push_back(file);
+  };
+  for (const fs::directory_entry& entry : entries_of(folder)) {
+    const fs::path name = entry.path().filename();
+    if (!entry.is_directory() || entry.is_symlink() || !is_result_folder(name)) {
+      add(name);
+      continue;
+    }
+    for (const fs::directory_entry& inner : entries_of(entry.path()))
+      add(name / inner.path().filename());
+  }
+  return files;
+}
+
+/// The folders that a run makes, where they are empty.
+void remove_empty_folders(const fs::path& folder) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : entries_of(folder))
+    if (is_result_folder(entry.path().filename())) fs::remove(entry.path(), error);
+}
+
+/// From where, to where.
+using Move = std::pair<fs::path, fs::path>;
+
+std::vector<Move> moves(const std::vector<fs::path>& files, const fs::path& from,
+                        const fs::path& to) {
+  std::vector<Move> result;
+  for (const fs::path& file : files) result.emplace_back(from / file, to / file);
+  return result;
+}
+
+/// Moves all; where one cannot be moved, those before it are moved back.
+std::error_code move_all(const std::vector<Move>& moves) {
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    std::error_code error;
+    const auto& [from, to] = moves[i];
+    fs::create_directories(to.parent_path(), error);
+    if (!error) fs::rename(from, to, error);
+    if (!error) continue;
+    std::error_code ignored;  // what cannot be moved back stays where it is: it is not removed
+    while (i-- > 0) fs::rename(moves[i].second, moves[i].first, ignored);
+    return error;
+  }
+  return {};
+}
+
+/// Whether the program runs in a folder: the one that started it would find itself in one that is
+/// no more.
+bool holds_working_folder(const fs::path& folder) {
+  std::error_code error;
+  const fs::path inside = fs::relative(fs::current_path(error), folder, error);
+  return error || inside.empty() || *inside.begin() != "..";
+}
+
+/// Removes what a run that was killed left, but nothing that it could not move and has kept.
+/// @throws Error if it has
+void remove_left_over(const fs::path& unfinished) {
+  for (const fs::path& file : files_in(unfinished, false))
+    if (file.extension() != ".part")  // half a file, which was never given its name
+      throw Error(
+          fmt::format("{}: found {}, kept by an earlier run that could not move it; "
+                      "expected it to be moved away first",
+                      unfinished.string(), file.string()));
+  std::error_code error;
+  fs::remove_all(unfinished, error);
+}
+
+bool change_places(const fs::path& one, const fs::path& other) {
+  return ::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+}  // namespace
+
+ResultFolder::ResultFolder(const fs::path& folder) : is_new_(!exists(folder)) {
+  make_folder(folder);
+  folder_ = fs::canonical(folder);
+  unfinished_ = folder_ / ".unfinished";
+  fs::path beside = folder_;
+  beside += ".unfinished";
+  remove_left_over(unfinished_);
+  remove_left_over(beside);
+  make_folder(unfinished_);
+  if (holds_working_folder(folder_)) return;
+  // Made inside and moved out: so it is known to be on the same disk.
+  std::error_code error;
+  fs::rename(unfinished_, beside, error);
+  if (!error) unfinished_ = beside;
+}
+
+ResultFolder::~ResultFolder() {
+  std::error_code error;
+  if (!holds_others_) fs::remove_all(unfinished_, error);
+  if (is_new_) fs::remove(folder_, error);  // if it is empty
+}
+
+void ResultFolder::finish() {
+  std::error_code ignored;
+  if (unfinished_.parent_path() != folder_) {
+    fs::permissions(unfinished_, fs::status(folder_, ignored).permissions(), ignored);
+    if (change_places(unfinished_, folder_)) {
+      const auto others = moves(files_in(unfinished_, false), unfinished_, folder_);
+      try {
+        move_to_folder(others);
+      } catch (const Error&) {
+        if (!change_places(unfinished_, folder_)) throw;
+        holds_others_ = false;
+        throw Error(folder_.string() +
+                    ": found a file beside the results that cannot be moved; "
+                    "expected to replace them; they are as they were");
+      }
+      return;
+    }
+  }
+  const fs::path before = unfinished_ / ".before";
+  std::vector<Move> all = moves(files_in(folder_, true), folder_, before);
+  std::ranges::copy(moves(files_in(unfinished_, true), unfinished_, folder_),
+                    std::back_inserter(all));
+  move_to_folder(all);
+  remove_empty_folders(folder_);
+}
+
+void ResultFolder::move_to_folder(const std::vector<std::pair<fs::path, fs::path>>& files) {
+  holds_others_ = true;
+  if (const std::error_code error = move_all(files))
+    throw Error(fmt::format("{}: found {}; expected to move there what is in {} now",
+                            folder_.string(), system_message(error.value()), unfinished_.string()));
+  holds_others_ = false;
+}
+
+}  // namespace asterism

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace asterism {
+
+/// The folder for the results of a run: of one run, and whole. They are written to a folder beside
+/// it, and the two change places in one step once all are there; what an earlier run left goes
+/// then, and what else lay there stays. Where folders cannot change places (a mounted one, the
+/// one that the program runs in), files are moved one by one, and back again if one cannot be.
+class ResultFolder {
+ public:
+  /// @throws Error if it cannot be made, or an earlier run has kept files there that it could not
+  ///         move
+  explicit ResultFolder(const std::filesystem::path& folder);
+  /// Leaves the folder as it was, if it was not finished.
+  ~ResultFolder();
+  ResultFolder(const ResultFolder&) = delete;
+
+  /// Where to write.
+  const std::filesystem::path& unfinished() const { return unfinished_; }
+  /// @throws Error if the results cannot be moved: they then lie where they were written, and what
+  ///         an earlier run left lies where it did, or with them if it cannot be moved back either
+  void finish();
+
+ private:
+  void move_to_folder(const std::vector<std::pair<std::filesystem::path, std::filesystem::path>>&);
+
+  std::filesystem::path folder_;
+  std::filesystem::path unfinished_;
+  bool is_new_;
+  bool holds_others_ = false;  ///< files that must not be removed with `unfinished_`
+};
+
+}  // namespace asterism

@@ -1,0 +1,1 @@
+(set-info :extend (end ((q DState)) q))

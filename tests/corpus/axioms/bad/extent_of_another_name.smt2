@@ -1,0 +1,2 @@
+; yours   [own]
+(set-info :extent (mine ((q DState)) q))

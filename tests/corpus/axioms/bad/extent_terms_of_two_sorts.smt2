@@ -1,0 +1,1 @@
+(set-info :extent (end ((q DState)) (place q) (along q)))

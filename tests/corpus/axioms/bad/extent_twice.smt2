@@ -1,0 +1,2 @@
+(set-info :extent (end ((q DState)) q))
+(set-info :extent (end ((q DState)) (place q)))

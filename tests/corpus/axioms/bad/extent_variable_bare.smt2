@@ -1,0 +1,1 @@
+(set-info :extent (end (q) q))

@@ -1,0 +1,1 @@
+(set-info :extent (end ((q DState) (r DState)) :where (ends q) q))

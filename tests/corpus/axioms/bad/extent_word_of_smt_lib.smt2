@@ -1,0 +1,1 @@
+(set-info :extent (and ((q DState)) q))
