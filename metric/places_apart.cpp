@@ -15,9 +15,9 @@ constexpr double least_variance_m2 = 1e-12;
 
 }  // namespace
 
-std::optional<Neighbourhood> neighbourhood_of(const Visit& visit) {
+std::optional<PlaceDisc> disc_of(const Visit& visit) {
   if (visit.gateways.empty()) return std::nullopt;
-  Neighbourhood result;
+  PlaceDisc result;
   for (const MeasuredGateway& gateway : visit.gateways)
     result.middle = result.middle + gateway.middle();
   result.middle = 1 / static_cast<double>(visit.gateways.size()) * result.middle;
@@ -58,22 +58,21 @@ double misfit_of_lying_apart(Point2 point, const PlaneCovariance& covariance, do
 // Seen from either place: so it does not matter which comes first.
 std::vector<SharedSpot> shared_spots(std::span<const Pose2> layout_from_place,
                                      std::span<const PlaceDisplacement> displacements,
-                                     std::span<const std::optional<Neighbourhood>> neighbourhoods,
+                                     std::span<const std::optional<PlaceDisc>> discs,
                                      double least_tail) {
   std::vector<SharedSpot> result;
   std::optional<LayoutCovariance> covariance;  // most layouts need none
   const double most = chi_squared_of_tail(least_tail, 1);
   for (std::size_t j = 0; j < layout_from_place.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {
-      if (!neighbourhoods[i] || !neighbourhoods[j]) continue;
-      const double least_m =
-          neighbourhoods[i]->radius_m + neighbourhoods[j]->radius_m - most_overlap_m;
-      const Point2 apart = layout_from_place[j] * neighbourhoods[j]->middle -
-                           layout_from_place[i] * neighbourhoods[i]->middle;
+      if (!discs[i] || !discs[j]) continue;
+      const double least_m = discs[i]->radius_m + discs[j]->radius_m - most_overlap_m;
+      const Point2 apart =
+          layout_from_place[j] * discs[j]->middle - layout_from_place[i] * discs[i]->middle;
       if (norm(apart) >= least_m) continue;
       if (!covariance) covariance.emplace(layout_from_place, displacements);
-      const LayoutCovariance::PlacePoint one{PlaceId(i), neighbourhoods[i]->middle};
-      const LayoutCovariance::PlacePoint other{PlaceId(j), neighbourhoods[j]->middle};
+      const LayoutCovariance::PlacePoint one{PlaceId(i), discs[i]->middle};
+      const LayoutCovariance::PlacePoint other{PlaceId(j), discs[j]->middle};
       const double misfit =
           std::min(misfit_of_lying_apart(apart, covariance->seen_from(one, other), least_m),
                    misfit_of_lying_apart(apart, covariance->seen_from(other, one), least_m));

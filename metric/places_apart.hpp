@@ -13,13 +13,13 @@ namespace asterism {
 
 /// What a place takes up of the floor: a disc round the middle of its gateways that reaches the
 /// nearest of them, in the frame of the visit that saw them.
-struct Neighbourhood {
+struct PlaceDisc {
   Point2 middle = {};
   double radius_m = 0;
 };
 
 /// That of a visit; nothing if no gateway was measured.
-std::optional<Neighbourhood> neighbourhood_of(const Visit& visit);
+std::optional<PlaceDisc> disc_of(const Visit& visit);
 
 /// By how much the neighbourhoods of two places may overlap.
 inline constexpr double most_overlap_m = 0.3;
@@ -36,11 +36,11 @@ double misfit_of_lying_apart(Point2 point, const PlaneCovariance& covariance, do
 /// far off less often than `least_tail`.                                            [theory §12]
 ///
 /// @param layout_from_place  χ, with its displacements
-/// @param neighbourhoods     one a place, in its frame; nothing where none is known: that place
+/// @param discs              one a place, in its frame; nothing where none is known: that place
 ///                           lies on no spot
 std::vector<SharedSpot> shared_spots(std::span<const Pose2> layout_from_place,
                                      std::span<const PlaceDisplacement> displacements,
-                                     std::span<const std::optional<Neighbourhood>> neighbourhoods,
+                                     std::span<const std::optional<PlaceDisc>> discs,
                                      double least_tail);
 
 }  // namespace asterism

@@ -58,7 +58,7 @@ class Ranking::Search {
   Search(const Trace& trace, AlignmentSource alignments, const RankingOptions& options)
       : trace_(trace), alignments_(std::move(alignments)), least_tail_(options.least_tail) {
     for (const Visit& visit : trace.visits)
-      neighbourhoods_.push_back(options.on_one_floor ? neighbourhood_of(visit) : std::nullopt);
+      discs_.push_back(options.on_one_floor ? disc_of(visit) : std::nullopt);
   }
 
   /// Adds the best hypotheses of so much doubt to `found`, which is sorted and never longer than
@@ -130,8 +130,8 @@ class Ranking::Search {
   }
 
   std::vector<SharedSpot> spots_of(const Level& level) const {
-    std::vector<std::optional<Neighbourhood>> of_places;
-    for (const std::size_t first : level.first_visit) of_places.push_back(neighbourhoods_[first]);
+    std::vector<std::optional<PlaceDisc>> of_places;
+    for (const std::size_t first : level.first_visit) of_places.push_back(discs_[first]);
     return shared_spots(level.layout_from_place, displacements_, of_places, least_tail_);
   }
 
@@ -217,7 +217,7 @@ class Ranking::Search {
   const Trace& trace_;
   AlignmentSource alignments_;
   double least_tail_;
-  std::vector<std::optional<Neighbourhood>> neighbourhoods_;  ///< of each visit
+  std::vector<std::optional<PlaceDisc>> discs_;  ///< of each visit
   std::vector<Level> levels_;  ///< of the hypothesis laid out last, visit by visit
   std::vector<PlaceDisplacement> displacements_;
   std::map<std::size_t, double> bounds_;  ///< by degrees of freedom

@@ -109,7 +109,7 @@ std::string layout_svg(const RunReport::Model& model, const Trace& trace, Pictur
   const Layout& layout = model.ranked.layout;
   std::vector<Point2> way;
   for (const TimedPose& pose : model.trajectory) way.push_back(pose.layout_from_robot.position());
-  Extent shown;
+  PlanBounds shown;
   if (model.global_map) shown.include(*model.global_map);
   for (const Pose2& pose : layout.layout_from_place) shown.include(pose.position(), margin_m);
   for (const Point2 point : way) shown.include(point, margin_m);
@@ -141,7 +141,7 @@ std::string shared_spot_svg(const RunReport& report, const RankedMap& ranked,
                             const SharedSpot& spot, const std::string& title) {
   constexpr double side_px = 220;
   constexpr double round_m = 5;
-  Extent shown;
+  PlanBounds shown;
   for (const PlaceId place : {spot.one, spot.other})
     shown.include(ranked.layout.layout_from_place[place.index()].position(), round_m);
   PlanPicture picture(shown, side_px, side_px);
@@ -173,7 +173,7 @@ std::string shared_spot_svg(const RunReport& report, const RankedMap& ranked,
 }
 
 std::string grid_svg(const Grid& grid, PictureSize size, const std::string& title) {
-  Extent shown;
+  PlanBounds shown;
   shown.include(grid);
   if (shown.is_empty()) return {};
   PlanPicture picture(shown, size.max_width_px, size.max_height_px);
@@ -220,7 +220,7 @@ std::string PlaceMaps::svg(VisitId visit_id) const {
   const bool has_map = k < report_.place_maps.size() && report_.place_maps[k];
   if (!has_map && visit.gateways.empty()) return {};
   const Pose2 page = page_from_visit(k);
-  Extent shown;
+  PlanBounds shown;
   shown.include(page * middle_of(k), half_side_m_);
   PlanPicture picture(shown, side_px, side_px);
   if (has_map) picture.add_grid(*report_.place_maps[k], page);

@@ -81,7 +81,7 @@ std::string line(Point2 from, Point2 to, const std::string& style) {
 
 }  // namespace
 
-void Extent::include(Point2 point, double margin_m) {
+void PlanBounds::include(Point2 point, double margin_m) {
   const Point2 margin{margin_m, margin_m};
   const Point2 low = point - margin;
   const Point2 high = point + margin;
@@ -90,7 +90,7 @@ void Extent::include(Point2 point, double margin_m) {
   is_empty_ = false;
 }
 
-void Extent::include(const Grid& grid) {
+void PlanBounds::include(const Grid& grid) {
   const std::optional<CellBox> box = known_cells(grid, stray);
   if (!box) return;
   for (const int column : {box->first.column, box->end.column}) {
@@ -100,7 +100,7 @@ void Extent::include(const Grid& grid) {
   }
 }
 
-PlanPicture::PlanPicture(const Extent& shown, double max_width_px, double max_height_px)
+PlanPicture::PlanPicture(const PlanBounds& shown, double max_width_px, double max_height_px)
     : low_(shown.low()) {
   const double wide_m = std::max(shown.high().x_m - low_.x_m, 0.1);
   const double high_m = std::max(shown.high().y_m - low_.y_m, 0.1);
@@ -120,7 +120,7 @@ void PlanPicture::add_grid(const Grid& grid, const Pose2& page_from_frame, doubl
   // No more of it than can be seen: the box of the picture's corners, in cells.
   const Pose2 page_from_grid = page_from_frame * grid.frame_from_grid;
   const Pose2 grid_from_page = inverse(page_from_grid);
-  Extent seen;
+  PlanBounds seen;
   for (const double x_m : {0.0, width_px_ / px_per_m_}) {
     for (const double y_m : {0.0, plan_height_px_ / px_per_m_}) {
       seen.include(grid_from_page * (low_ + Point2{x_m, y_m}));

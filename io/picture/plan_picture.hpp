@@ -10,7 +10,7 @@
 namespace asterism {
 
 /// An upright rectangle of the plane that grows with what it is to show.
-class Extent {
+class PlanBounds {
  public:
   void include(Point2 point, double margin_m = 0);
   /// What a grid knows, a few stray cells at the edge aside.
@@ -31,7 +31,7 @@ class Extent {
 class PlanPicture {
  public:
   /// @pre  shown is not empty
-  PlanPicture(const Extent& shown, double max_width_px, double max_height_px);
+  PlanPicture(const PlanBounds& shown, double max_width_px, double max_height_px);
 
   /// Free space white, walls dark, the unknown grey.
   /// @param opacity  below 1 what lies under it is seen through it

@@ -68,6 +68,7 @@ LONGEST_FILE = 450
 PLANAR = re.compile(r"^\s+bool planar( =[^,]*)?;")  # a member
 THEORIES = ["axioms/theory.hpp", "core/theory_record.hpp"]
 EXTENT_TEXT = re.compile(r'[!=]= "(path|place|segment)"|"(path|place|segment)" [!=]=')
+TYPE = re.compile(r"(?:struct|class|enum class|enum) (\w+)( final)?( : [^;]*)? {")  # of a namespace
 JSON_KEY = re.compile(r'\\?"\w+\\?":')  # in a string, or in a raw one
 
 # Spelt in parts, so that this file keeps its own rules.
@@ -266,13 +267,29 @@ def json_by_hand(root):
 
 
 def types(root):
-    """What is asked of maps is passed as a theory, and extents are no strings."""
+    """What is asked of maps is passed as a theory, extents are no strings, and one name is one type:
+    of two, a linker keeps whichever functions it sees first."""
+    seen = {}
     for file in files(root, [*LAYERS, "examples", "benchmarks"], CODE):
         for number, line in numbered_lines(file):
             if PLANAR.match(line) and str(file.relative_to(root)) not in THEORIES:
                 yield complaint(root, file, number, "a member planar", "a Theory")
             if EXTENT_TEXT.search(line):
                 yield complaint(root, file, number, "an extent as text", "an Extent")
+        for number, name in shared_types(file):
+            if file.relative_to(root).parts[0] in LAYERS and name in seen:
+                yield complaint(root, file, number, f"{name} again", f"one type: {seen[name]}")
+            seen[name] = file.relative_to(root)
+
+
+def shared_types(file):
+    """Line and name of each type that a file defines in a namespace that has a name."""
+    is_named = True
+    for number, line in numbered_lines(file):
+        if line.startswith("namespace") or line.startswith("}  // namespace"):
+            is_named = line != "namespace {"
+        if is_named and (match := TYPE.match(line)):
+            yield number, match[1]
 
 
 def formatting(root):

@@ -62,6 +62,7 @@ BROKEN = [
     ("json", "cli/main.cpp", 'out << R"({"star": 1})";', 'main.cpp:1: found the key "star":'),
     ("types", "io/a.hpp", "struct Page {\n  bool planar;\n};\n", "io/a.hpp:2: found a member planar"),
     ("types", "io/a.cpp", 'return name == "place";\n', "io/a.cpp:1: found an extent as text"),
+    ("types", "io/a.hpp", "class A {};\n\nclass A {\n};\n", "io/a.hpp:3: found A again; expected one"),
     ("format", "core/star.cpp", "int  i ;\n", "core/star.cpp:1: found another layout"),
 ]
 

@@ -51,18 +51,18 @@ double misfit_by_trial(Point2 point, const PlaneCovariance& spread, double least
   return at(best_rad);
 }
 
-/// One map of places and neighbourhoods, told in another order of places.
+/// One map of places and discs, told in another order of places.
 struct Told {
   std::vector<Pose2> poses;
   std::vector<PlaceDisplacement> displacements;
-  std::vector<std::optional<Neighbourhood>> neighbourhoods;
+  std::vector<std::optional<PlaceDisc>> discs;
 };
 
 Told reordered(const Told& told, const std::vector<std::size_t>& new_number) {
   Told result = told;
   for (std::size_t i = 0; i < told.poses.size(); ++i) {
     result.poses[new_number[i]] = told.poses[i];
-    result.neighbourhoods[new_number[i]] = told.neighbourhoods[i];
+    result.discs[new_number[i]] = told.discs[i];
   }
   for (PlaceDisplacement& each : result.displacements) {
     each.from = PlaceId(new_number[each.from.index()]);
@@ -79,8 +79,7 @@ Told mirrored(Told told) {
     pose.heading_rad = -pose.heading_rad;
   };
   for (Pose2& pose : told.poses) flip(pose);
-  for (auto& neighbourhood : told.neighbourhoods)
-    neighbourhood->middle.y_m = -neighbourhood->middle.y_m;
+  for (auto& disc : told.discs) disc->middle.y_m = -disc->middle.y_m;
   for (PlaceDisplacement& each : told.displacements) {
     flip(each.displacement);
     for (const std::size_t i : {1U, 2U, 3U, 6U})
@@ -90,7 +89,7 @@ Told mirrored(Told told) {
 }
 
 std::vector<SharedSpot> spots(const Told& told) {
-  return shared_spots(told.poses, told.displacements, told.neighbourhoods, 1e-3);
+  return shared_spots(told.poses, told.displacements, told.discs, 1e-3);
 }
 
 }  // namespace
@@ -126,7 +125,7 @@ TEST_CASE("one place sees another as well, whichever place the layout hangs from
     RandomLayout world = random_layout(places, places + i % 5, 0.1, random);
     Told told{lay_out(places, world.displacements).layout_from_place, world.displacements, {}};
     for (std::size_t k = 0; k < places; ++k)
-      told.neighbourhoods.push_back(Neighbourhood{any_point(2, random), 1});
+      told.discs.push_back(PlaceDisc{any_point(2, random), 1});
     std::vector<std::size_t> order(places);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::rotate(order.begin(), order.begin() + 1, order.end());
@@ -135,8 +134,8 @@ TEST_CASE("one place sees another as well, whichever place the layout hangs from
     const LayoutCovariance of_other(other.poses, other.displacements);
     const auto seen = [&](const LayoutCovariance& by, const Told& in, std::size_t a,
                           std::size_t b) {
-      const PlaneCovariance spread = by.seen_from({PlaceId(a), in.neighbourhoods[a]->middle},
-                                                  {PlaceId(b), in.neighbourhoods[b]->middle});
+      const PlaneCovariance spread =
+          by.seen_from({PlaceId(a), in.discs[a]->middle}, {PlaceId(b), in.discs[b]->middle});
       // Along the axes of the place that looks.
       const Point2 ahead = unit_vector(in.poses[a].heading_rad);
       const Eigen::Vector2d x(ahead.x_m, ahead.y_m), y(-ahead.y_m, ahead.x_m);
@@ -149,10 +148,9 @@ TEST_CASE("one place sees another as well, whichever place the layout hangs from
     CHECK((one - same).norm() < 1e-6 * one.norm());
     // From the place that all hangs from, the others are as certain as they are laid out.
     const PoseCovariance last = covariance.of_places().back();
-    const Eigen::Vector3d point_only =
-        seen(covariance,
-             {told.poses, {}, std::vector<std::optional<Neighbourhood>>(places, Neighbourhood{})},
-             0, places - 1);
+    const Eigen::Vector3d point_only = seen(
+        covariance, {told.poses, {}, std::vector<std::optional<PlaceDisc>>(places, PlaceDisc{})}, 0,
+        places - 1);
     const double trace = last[0] + last[4];
     CHECK(point_only[0] + point_only[2] == Approx(trace));
   }
@@ -167,7 +165,7 @@ TEST_CASE("places on one spot are the same in any order, and mirrored", "[metric
     RandomLayout world = random_layout(places, places - 1 + i % 4, 0.02, random);
     Told told{lay_out(places, world.displacements).layout_from_place, world.displacements, {}};
     for (std::size_t k = 0; k < places; ++k)
-      told.neighbourhoods.push_back(Neighbourhood{any_point(1, random), between(0, 2.5, random)});
+      told.discs.push_back(PlaceDisc{any_point(1, random), between(0, 2.5, random)});
     std::vector<std::size_t> order(places);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::shuffle(order, random);
@@ -193,10 +191,10 @@ TEST_CASE("places on one spot are the same in any order, and mirrored", "[metric
 
 TEST_CASE("a place takes up the disc that reaches its nearest gateway", "[metric]") {
   Visit visit{.star = Star::parse("a+1 b+1 a-1 b-0")};
-  CHECK_FALSE(neighbourhood_of(visit));
+  CHECK_FALSE(disc_of(visit));
   visit.gateways = {{"a+", 3, 0, 0, 1}, {"b+", 0, -1, 0, 1}, {"a-", -3, 1, 0, 1}};
-  CHECK(norm(neighbourhood_of(visit)->middle) < 1e-12);
-  CHECK(neighbourhood_of(visit)->radius_m == 1);
+  CHECK(norm(disc_of(visit)->middle) < 1e-12);
+  CHECK(disc_of(visit)->radius_m == 1);
 }
 
 TEST_CASE("only what is certain to overlap lies on one spot", "[metric]") {
@@ -205,7 +203,7 @@ TEST_CASE("only what is certain to overlap lies on one spot", "[metric]") {
         make_displacement({apart_m, 0, 0}, diagonal(deviation_m * deviation_m, 1e-4));
     const std::vector<Pose2> poses{{}, {apart_m, 0, 0}};
     const std::vector<PlaceDisplacement> displacements{{PlaceId(0), PlaceId(1), d}};
-    const std::vector<std::optional<Neighbourhood>> discs(2, Neighbourhood{{}, 1});
+    const std::vector<std::optional<PlaceDisc>> discs(2, PlaceDisc{{}, 1});
     return shared_spots(poses, displacements, discs, 1e-3).size();
   };
   CHECK(spots_of(0.02, 0.1) == 1);

@@ -114,7 +114,7 @@ Eigen::Vector2d seen(const std::vector<Pose2>& poses, const Trace& trace, const 
 }
 
 double radius_m(const Trace& trace, const TopologicalMap& map, std::size_t place) {
-  return neighbourhood_of(trace.visits[map.places[place].first_visit.index()])->radius_m;
+  return disc_of(trace.visits[map.places[place].first_visit.index()])->radius_m;
 }
 
 /// Whether two places lie on one spot, by slopes that are tried out and a full inverse.
