@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/driven_way.hpp"
 #include "core/grid.hpp"
 #include "core/map_report.hpp"
 #include "core/ranked_map.hpp"
@@ -33,7 +34,8 @@ struct RunReport {
     RankedMap ranked;                     ///< of the visits explained; a pose for each place
     std::optional<Grid> global_map = {};  ///< in the layout's frame
     Trajectory trajectory = {};
-    std::string drawing_svg = {};  ///< of the topological map: bare_map_svg(), or empty
+    std::vector<DrivenWay> ways = {};  ///< [segment], or none
+    std::string drawing_svg = {};      ///< of the topological map: bare_map_svg(), or empty
   };
 
   std::string log;  ///< its name

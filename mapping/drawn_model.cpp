@@ -1,9 +1,13 @@
 #include "mapping/drawn_model.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <exception>
+#include <thread>
 #include <utility>
 
+#include "metric/driven_ways.hpp"
 #include "metric/global_map.hpp"
 #include "metric/refinement.hpp"
 
@@ -31,25 +35,37 @@ std::vector<Anchor> anchors(const Trace& trace, const RankedMap& ranked) {
   return result;
 }
 
+void draw(const Perceived& perceived, double resolution_m, bool is_refined, DrawnModel& model) try {
+  const std::vector<Scan>& scans = perceived.scans;
+  model.trajectory = fit_trajectory(perceived.poses, anchors(perceived.trace, model.ranked));
+  if (is_refined) model.trajectory = Refinement(scans, perceived.poses)(model.trajectory);
+  model.global_map = global_map(scans, model.trajectory, {.resolution_m = resolution_m});
+  model.ways = driven_ways(perceived.trace, model.ranked.map, model.trajectory, *model.global_map);
+} catch (const std::exception& error) {
+  model.fault = error.what();
+  model.trajectory.clear();
+  model.global_map.reset();
+}
+
 }  // namespace
 
 std::vector<DrawnModel> draw_models(const Perceived& perceived, std::vector<RankedMap> ranked,
                                     double resolution_m) {
-  Refinement refined(perceived.scans, perceived.poses);
   std::vector<DrawnModel> models;
-  for (RankedMap& map : ranked) {
-    DrawnModel model{std::move(map)};
-    try {
-      model.trajectory = fit_trajectory(perceived.poses, anchors(perceived.trace, model.ranked));
-      if (models.empty()) model.trajectory = refined(model.trajectory);
-      model.global_map =
-          global_map(perceived.scans, model.trajectory, {.resolution_m = resolution_m});
-    } catch (const std::exception& error) {
-      model.fault = error.what();
-      model.trajectory.clear();
-    }
-    models.push_back(std::move(model));
-  }
+  for (RankedMap& map : ranked) models.push_back({std::move(map)});
+  // Each is drawn apart from the others; so few at a time that their grids fit into memory.
+  constexpr std::size_t most_threads = 4;
+  std::atomic<std::size_t> next = 0;
+  const auto draw_on = [&] {
+    for (std::size_t i = next++; i < models.size(); i = next++)
+      draw(perceived, resolution_m, i == 0, models[i]);
+  };
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::jthread> threads;
+  while (threads.size() + 1 < std::min({models.size(), cores, most_threads}))
+    threads.emplace_back(draw_on);
+  draw_on();
+  threads.clear();  // which waits for them
   return models;
 }
 

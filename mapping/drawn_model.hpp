@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/driven_way.hpp"
 #include "core/grid.hpp"
 #include "core/ranked_map.hpp"
 #include "core/trajectory.hpp"
@@ -16,12 +17,13 @@ struct DrawnModel {
   RankedMap ranked;
   Trajectory trajectory = {};
   std::optional<Grid> global_map = {};  ///< in the layout's frame; absent where it has a fault
+  DrivenWays ways = {};                 ///< on it; none where it has a fault
   std::string fault = {};               ///< why it could not be drawn
 };
 
-/// Fits a trajectory to the layout of each ranked map and draws all scans from there. That of the
-/// first is refined first, on the walls that the scans saw. What one cannot be drawn for costs its
-/// own drawing alone.                                                    [BMK10, §7.3] [theory §12]
+/// Fits a trajectory to the layout of each ranked map and draws all scans from there, and the
+/// lines driven. That of the first is refined first, on the walls that the scans saw. What one
+/// cannot be drawn for costs its own drawing alone. [BMK10, §7.3] [theory §12]
 /// @param ranked        best first, of the perceived trace or a part of it
 /// @param resolution_m  side of a cell of the global map, where that makes not too many of them
 std::vector<DrawnModel> draw_models(const Perceived& perceived, std::vector<RankedMap> ranked,

@@ -12,18 +12,14 @@ namespace asterism {
 inline constexpr std::array log_file_names{"log.trace.json", "maps.json", "report.html"};
 
 /// What the page of a run shows of the maps of a log.
-RunReport run_report_of(const LogMaps& maps);
+RunReport run_report_of(LogMaps maps);
 
 /// Writes all that a log says into a folder: log.trace.json with the maps of its places in log.lpm,
 /// maps.json, report.html, and the files of each ranked map, those of the first in the folder
 /// itself, of the others in model-2, model-3 ... A model that no file can hold, as where places lie
 /// out of all bounds, is left out, and remarked on the page.
+/// @return  what the page shows
 /// @throws Error if it cannot
-void write_log_files(const std::filesystem::path& folder, const LogMaps& maps, RunReport report);
-
-/// Writes the map of a visit's place.
-/// @return  its file, from where the folder lies
-std::string write_place_map(const std::filesystem::path& folder, std::size_t visit,
-                            const Grid& place_map);
+RunReport write_log_files(const std::filesystem::path& folder, LogMaps maps);
 
 }  // namespace asterism

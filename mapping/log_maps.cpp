@@ -14,6 +14,16 @@
 namespace asterism {
 namespace {
 
+/// What was told, else what an earlier run perceived, else what is perceived now.
+Perceived perceived_of(const std::string& log, const LogQuestion& asked, const ReadWatch& watch) {
+  if (asked.told) return perceived_as_told(*asked.told, log, asked.laser, watch);
+  if (asked.results_before) {
+    auto kept = perceived_before(*asked.results_before, log, asked.laser, asked.detector, watch);
+    if (kept) return *std::move(kept);
+  }
+  return perceive(log, asked.laser, asked.detector, watch);
+}
+
 Theory theory_of(const LogQuestion& asked, const Trace& trace) {
   return {.planar = asked.maps.theory.planar,
           .assumptions = assumptions_of(asked.assumptions, trace)};
@@ -62,7 +72,7 @@ std::vector<std::string> remarks_on_drawings(const LogMaps& maps, double resolut
 }  // namespace
 
 LogMaps map_log(const std::string& file, const LogQuestion& asked, const LogWatch& watch) {
-  Perceived perceived = perceive(file, asked.laser, asked.detector, watch.read);
+  Perceived perceived = perceived_of(file, asked, watch.read);
   watch.perceived(perceived);
   const Theory theory = theory_of(asked, perceived.trace);
   ExplainedTrace explained = find_maps(asked, perceived.trace, theory, watch.maps);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "io/log/carmen_log.hpp"
 #include "mapping/drawn_model.hpp"
 #include "mapping/explained_trace.hpp"
+#include "mapping/kept_perception.hpp"
 #include "mapping/perceived.hpp"
 #include "mapping/trace_maps.hpp"
 #include "metric/ranking.hpp"
@@ -25,6 +27,9 @@ namespace asterism {
 struct LogQuestion {
   LogOptions laser = {};
   ScanDetectorOptions detector = {};
+  /// Results of an earlier run, whose perception is taken up if it was of this log and alike.
+  std::optional<std::filesystem::path> results_before = {};
+  std::optional<ToldTrace> told = {};              ///< in place of what is perceived
   std::vector<StatedAssumption> assumptions = {};  ///< that maps hold
   MapOptions maps = {};                            ///< of `theory`, only whether they are planar
   bool only_minimal = false;                       ///< only the minimal models are ranked

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "io/atomic_file.hpp"
 #include "io/grid/occupancy_map.hpp"
@@ -10,6 +11,7 @@
 #include "io/log/pose_graph_file.hpp"
 #include "io/log/trajectory_file.hpp"
 #include "io/picture/map_graph.hpp"
+#include "io/picture/map_osm.hpp"
 
 namespace asterism {
 namespace {
@@ -33,11 +35,13 @@ void write_model(const std::filesystem::path& folder, const DrawnModel& model) {
   }
   write_pose_graph_file(file("layout.g2o"),
                         {ranked.layout.layout_from_place, ranked.displacements, {PlaceId(0)}});
-  write_atomically(file("map.graphml"), map_graphml(ranked.map, ranked.layout.layout_from_place));
-  write_atomically(file("map.dot"), map_dot(ranked.map, ranked.layout.layout_from_place));
-  if (!ranked.map.segments.empty())
-    write_atomically(file("routes.geojson"),
-                     route_graph_geojson(ranked.map, ranked.layout.layout_from_place));
+  const std::vector<Pose2>& poses = ranked.layout.layout_from_place;
+  const std::vector<DrivenWay>& ways = model.ways.of_segment;
+  write_atomically(file("map.graphml"), map_graphml(ranked.map, poses, ways));
+  write_atomically(file("map.dot"), map_dot(ranked.map, poses, ways));
+  if (ways.empty()) return;
+  write_atomically(file("routes.geojson"), route_graph_geojson(ranked.map, model.ways));
+  write_atomically(file("routes.osm"), map_osm(ranked.map, model.ways));
 }
 
 }  // namespace asterism

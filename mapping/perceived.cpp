@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "io/grid/grid_file.hpp"
 
 namespace asterism {
 namespace {
@@ -51,7 +52,7 @@ std::vector<std::string> remarks_on_jumps(std::span<const ScanDetector::Jump> ju
 
 Perceived perceive(const std::string& file, const LogOptions& laser,
                    const ScanDetectorOptions& options, const ReadWatch& watch) {
-  Perceived result;
+  Perceived result{.by = name_of(options)};
   result.trace.name = stem_of(file);
   LogReader log(file, laser);
   ScanDetector detector(options);
@@ -63,6 +64,7 @@ Perceived perceive(const std::string& file, const LogOptions& laser,
         watch(log, result);
       },
       [&](DetectedVisit detected) {
+        if (detected.place_map) detected.place_map = as_written(*std::move(detected.place_map));
         result.place_maps.push_back(std::move(detected.place_map));
         result.trace.visits.push_back(std::move(detected.visit));
       });
@@ -70,6 +72,11 @@ Perceived perceive(const std::string& file, const LogOptions& laser,
   result.remarks = remarks_on_stamps(result.scans);
   std::ranges::copy(remarks_on_jumps(detector.jumps()), std::back_inserter(result.remarks));
   return result;
+}
+
+std::string name_of(const ScanDetectorOptions& options) {
+  return fmt::format("asterism {}, gateways of {} m and more", ASTERISM_VERSION,
+                     options.topology.skeleton.min_gateway_width_m);
 }
 
 std::size_t detect(LogReader& log, PlaceDetector& detector,

@@ -18,17 +18,22 @@ namespace asterism {
 
 /// What perception made of a log.
 struct Perceived {
-  Trace trace;
+  Trace trace = {};
   std::vector<std::optional<Grid>> place_maps = {};  ///< of each visit
   std::vector<Scan> scans = {};
   std::vector<LocalPose> poses = {};      ///< of each scan
   std::vector<std::string> remarks = {};  ///< what is odd about the log, each in a sentence
+  std::string by = {};                    ///< version and options: the same perceive the same
+  bool is_kept = false;                   ///< taken up from an earlier run
 };
+
+/// What perceives with these options, all but the least width of gateways as they are shipped.
+std::string name_of(const ScanDetectorOptions& options);
 
 /// Told, after each scan, how far the log is read and what is perceived so far.
 using ReadWatch = std::function<void(const LogReader&, const Perceived&)>;
 
-/// Shows a log to the detector that ships.
+/// Shows a log to the detector that ships. Its place maps are as their files will tell.
 /// @throws InputError if the log cannot be read, or no place is found in it
 Perceived perceive(
     const std::string& file, const LogOptions& laser = {}, const ScanDetectorOptions& options = {},

@@ -42,7 +42,8 @@ bool is_result(const fs::path& file) {
     return std::ranges::find(names, name) != std::ranges::end(names);
   };
   if (folder == "log.lpm")
-    return is_numbered(name, "visit-", ".json") || is_numbered(name, "visit-", ".png");
+    return name == "perception.json" || is_numbered(name, "visit-", ".json") ||
+           is_numbered(name, "visit-", ".png");
   if (is_numbered(folder, "model-", "")) return is_one_of(model_file_names);
   return folder.empty() && (is_one_of(model_file_names) || is_one_of(log_file_names));
 }

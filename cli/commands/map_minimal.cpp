@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "engine/facts.hpp"
 #include "engine/minimal/minimal_search.hpp"
+#include "io/json/digest.hpp"
 #include "mapping/checkpointing.hpp"
 #include "mapping/minimal_report.hpp"
 #include "mapping/trace_maps.hpp"

@@ -12,7 +12,7 @@
 #include "io/atomic_file.hpp"
 #include "io/json/detector_lines.hpp"
 #include "io/json/trace_file.hpp"
-#include "mapping/log_files.hpp"
+#include "mapping/kept_perception.hpp"
 #include "mapping/perceived.hpp"
 #include "mapping/place_pictures.hpp"
 #include "perception/checked_detector.hpp"

@@ -2,9 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <list>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "cli/asked_maps.hpp"
 #include "cli/command.hpp"
@@ -28,6 +30,9 @@ struct RunCommand {
   std::string folder;
   LogQuestion asked;
   std::vector<std::string> assume;  ///< texts of assumptions
+  std::optional<std::string> trace;
+  std::optional<std::string> map_folder;
+  bool afresh = false;
   bool json = false;
 };
 
@@ -66,10 +71,14 @@ class Telling {
  private:
   void tell(const Perceived& perceived) {
     reading_.reset();
-    stage_is_over("perceive");
+    stage_is_over(perceived.is_kept ? "read" : "perceive");
     visits_ = perceived.trace.visits.size();
     tell(fmt::format("{}: {} scans, {} visits\n", printable(perceived.trace.name),
                      perceived.scans.size(), visits_));
+    if (perceived.is_kept)
+      tell(command_.trace ? "places as told by " + *command_.trace + '\n'
+                          : "places as perceived before, kept in " + command_.folder +
+                                "/log.lpm; --afresh perceives again\n");
     tell_remarks(perceived.remarks);
   }
 
@@ -99,22 +108,31 @@ class Telling {
   std::size_t visits_ = 0;
 };
 
+/// The trace that was told, with the place maps that lie beside it if none other are named.
+ToldTrace told_trace(const RunCommand& command) {
+  const std::filesystem::path beside = std::filesystem::path(*command.trace).parent_path();
+  return {*command.trace, command.map_folder.value_or((beside / "log.lpm").string())};
+}
+
 int run(RunCommand command) {
   command.asked.assumptions = read_assumptions(command.assume);
+  if (command.trace) command.asked.told = told_trace(command);
+  if (!command.afresh) command.asked.results_before = command.folder;
   ResultFolder results(command.folder);
   Telling telling(command);
-  const LogMaps maps = map_log(command.log, command.asked, telling.watch());
-  const RunReport report = run_report_of(maps);
-  write_log_files(results.unfinished(), maps, report);
+  LogMaps maps = map_log(command.log, command.asked, telling.watch());
+  const bool is_complete = maps.explained.report.complete;
+  const std::string fault = maps.models.empty() ? "" : maps.models.front().fault;
+  const std::size_t told = maps.perceived.remarks.size();
+  const RunReport report = write_log_files(results.unfinished(), std::move(maps));
   results.finish();
   telling.stage_is_over("draw");
 
-  if (!maps.models.empty() && !maps.models.front().fault.empty())
-    throw Error(command.folder + ": found " + maps.models.front().fault +
+  if (!fault.empty())
+    throw Error(command.folder + ": found " + fault +
                 "; expected to draw rank 1; all else is there");
-  const bool is_complete = maps.explained.report.complete;
   telling.tell(ranking_text(report));
-  telling.tell_remarks(std::span(report.remarks).subspan(maps.perceived.remarks.size()));
+  telling.tell_remarks(std::span(report.remarks).subspan(told));
   if (command.json)
     fmt::print("{}", run_summary_json(report, is_complete));
   else
@@ -131,6 +149,16 @@ void add_options(CLI::App& log, RunCommand& command) {
   log.add_flag("--planar", command.asked.maps.theory.planar,
                "Keep the maps that can be drawn in the plane");
   add_assumptions(log, command.assume);
+  CLI::Option* const trace =
+      log.add_option("--trace", command.trace,
+                     "A trace in place of the one perceived: a run's log.trace.json, corrected")
+          ->type_name("FILE");
+  log.add_option("--lpm", command.map_folder,
+                 "Folder log.lpm of a run on the same log [log.lpm beside the trace]")
+      ->type_name("DIR")
+      ->needs(trace);
+  log.add_flag("--afresh", command.afresh,
+               "Perceive the log again, though an earlier run left in DIR what it perceived");
   log.add_option("--models", command.asked.ranking.models, "Maps to rank and draw")
       ->type_name("N")
       ->check(CLI::Range(1, 1000))
@@ -180,10 +208,13 @@ void add_run(CLI::App& app, Run& chosen) {
   asterism run drive.log.xz -o drive
   asterism run drive.log -o drive --planar --models 10
   asterism run drive.log -o drive --max-range 8.18 --min-gateway-width-m 0.9 --json
+  asterism run drive.log -o drive --assume 'same(0, 8)'
+  asterism run drive.log -o corrected --trace edited.trace.json --lpm drive/log.lpm
 Perceives the trace, grows every map that explains it, ranks them by preference and layout, and
 draws the best: DIR/report.html shows it all; DIR/log.trace.json, maps.json; of the best model
-trajectory.tum, map.pgm, map.yaml, map.png, layout.g2o, map.graphml, map.dot, routes.geojson, of the
-others the same in model-2, model-3 ... What an earlier run left there is replaced.
+trajectory.tum, map.pgm, map.yaml, map.png, layout.g2o, map.graphml, map.dot, routes.geojson and
+routes.osm, of the others the same in model-2, model-3 ... What an earlier run left there is
+replaced; what it perceived of the same log is taken up, so that another question takes seconds.
 Exit code: 0 a map explains the trace, 1 none does and the best of the longest part that one explains
 is drawn, 2 a limit ended the run, 64 usage, 65 bad input or no place in it, 70 internal fault or a
 result that cannot be written.)");

@@ -15,6 +15,7 @@
 #include "io/grid/pgm_image.hpp"
 #include "io/json/checkpoint_file.hpp"
 #include "io/json/maps_file.hpp"
+#include "io/json/perception_file.hpp"
 #include "io/json/trace_file.hpp"
 #include "io/log/carmen_log.hpp"
 #include "io/log/pose_graph_file.hpp"
@@ -99,12 +100,18 @@ std::string checkpoint_text(const Checkpoint& checkpoint) {
                      checkpoint.state.models.size(), checkpoint.state.branches.size());
 }
 
+std::string perception_text(const PerceptionRecord& record) {
+  return fmt::format("kept perception: {} scans, by {}", record.map_from_robot.size(),
+                     printable(record.perceived_by));
+}
+
 /// Reads a file of whatever kind its name says; tells what it is.
 std::string validated(const std::string& file) {
   if (file.ends_with("maps.json"))
     return std::visit([](const auto& report) { return maps_text(report); },
                       read_any_maps_file(file));
   if (file.ends_with("checkpoint.json")) return checkpoint_text(read_checkpoint_file(file));
+  if (file.ends_with("perception.json")) return perception_text(read_perception_file(file));
   if (file.ends_with("expect.json")) {
     const Expectation expectation = read_expected_answers(file);
     return fmt::format("what to expect: {}", size_text(expectation));
@@ -153,9 +160,11 @@ void add_validate(CLI::App& app, Run& chosen) {
   asterism validate my-axioms
   asterism validate out/trajectory.tum out/map.yaml out/layout.g2o
 Of these endings, all but *.json and *.yaml maybe with .gz or .xz: *.maps.json is a maps file,
-*.checkpoint.json where a search stands, *.expect.json what a trace is expected to give, *.log and *.clf a CARMEN log of laser scans, *.tum a trajectory, *.gmapping.txt a reference,
-*.relations surveyed relations, *.g2o a pose graph, *.pgm a picture, *.yaml an occupancy map with
-its picture. A folder holds axioms, anything else is a trace.)");
+*.checkpoint.json where a search stands, *perception.json what a run keeps of its perception,
+*.expect.json what a trace is expected to give, *.log and *.clf a CARMEN log of laser scans, *.tum a
+trajectory, *.gmapping.txt a reference, *.relations surveyed relations, *.g2o a pose graph, *.pgm a
+picture, *.yaml an occupancy map with its picture. A folder holds axioms, anything else is a
+trace.)");
 }
 
 }  // namespace asterism

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -30,9 +31,16 @@ GreyImage picture_of(const Grid& grid, Cell first, Cell end, GreyOf grey_of) {
   GreyImage image{static_cast<std::size_t>(end.column - first.column),
                   static_cast<std::size_t>(end.row - first.row)};
   image.greys.reserve(image.width * image.height);
-  for (int row = end.row; row-- > first.row;)
-    for (int column = first.column; column < end.column; ++column)
-      image.greys.push_back(grey_of(grid.log_odds[grid.index({column, row})]));
+  // Cells are often as the one before, and a grey may take an exponential.
+  float last = std::numeric_limits<float>::quiet_NaN();
+  std::uint8_t grey = 0;
+  for (int row = end.row; row-- > first.row;) {
+    for (int column = first.column; column < end.column; ++column) {
+      const float log_odds = grid.log_odds[grid.index({column, row})];
+      if (log_odds != last) grey = grey_of(last = log_odds);
+      image.greys.push_back(grey);
+    }
+  }
   return image;
 }
 

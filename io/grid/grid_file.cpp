@@ -113,6 +113,11 @@ std::uint8_t grey_of_log_odds(float log_odds) {
       std::clamp(std::round((free_grey + 1) * is_free - 0.5), 0.0, double{free_grey}));
 }
 
+Grid as_written(Grid grid) {
+  for (float& cell : grid.log_odds) cell = log_odds_of_grey(grey_of_log_odds(cell));
+  return grid;
+}
+
 Grid read_grid_file(const std::string& file) {
   Description description = read_description(read_text_file(file, max_json_bytes), file);
   const std::string image = beside(file, description.image);

@@ -24,6 +24,9 @@ float log_odds_of_grey(std::uint8_t grey);
 /// The grey nearest in probability.  @pre not NaN
 std::uint8_t grey_of_log_odds(float log_odds);
 
+/// The grid that will be read where this one is written: log-odds of 255 greys.
+Grid as_written(Grid grid);
+
 /// Throws std::invalid_argument unless a grid has cells, as many as it says, a resolution and
 /// log-odds that are numbers.
 void require_writable(const Grid& grid);

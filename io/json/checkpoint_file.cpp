@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/json/assumption_json.hpp"
+#include "io/json/digest.hpp"
 #include "io/json/json_node.hpp"
 #include "io/json/json_writer.hpp"
 #include "io/json/trace_file.hpp"
@@ -111,10 +112,7 @@ std::vector<Model> read_models(const JsonNode& node, std::optional<std::size_t> 
 Checkpoint::Search read_search(const JsonNode& root) {
   Checkpoint::Search search;
   search.trace = root["trace"].string();
-  search.digest = root["digest"].string();
-  if (search.digest.size() != 16 ||
-      search.digest.find_first_not_of("0123456789abcdef") != std::string::npos)
-    root["digest"].refuse("16 hexadecimal digits");
+  search.digest = read_digest(root["digest"]);
   const JsonNode options = root["options"];
   options.require_keys({"planar", "optional_axioms", "preference", "assumptions"});
   search.theory.planar = options["planar"].boolean();
@@ -144,15 +142,6 @@ SearchState read_state(const JsonNode& root) {
 }
 
 }  // namespace
-
-std::string digest(const Trace& trace) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char byte : trace_json(trace))
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-  std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[hash >> shift & 15];
-  return text;
-}
 
 void write_checkpoint(std::ostream& out, const Checkpoint& checkpoint) {
   const auto& [search, state] = checkpoint;

@@ -16,7 +16,7 @@ struct Checkpoint {
   /// What must be the same for the state to mean the same.
   struct Search {
     std::string trace;   ///< its name
-    std::string digest;  ///< of all that the trace tells: see digest()
+    std::string digest;  ///< of all that the trace tells: see io/json/digest.hpp
     TheoryRecord theory = {};
     friend bool operator==(const Search&, const Search&) = default;
   };
@@ -26,9 +26,6 @@ struct Checkpoint {
 
 /// Of a file that is read.
 inline constexpr std::size_t max_checkpoint_bytes = std::size_t{1} << 30;
-
-/// 64 bits of the text of its file, FNV-1a, in hexadecimal: against mistakes, not against malice.
-std::string digest(const Trace& trace);
 
 /// Writes a checkpoint, a model or a branch to a line.
 /// @throws std::invalid_argument if a string is not UTF-8

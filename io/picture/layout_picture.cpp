@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 #include "io/path_of_arm.hpp"
 #include "io/picture/map_legend.hpp"
@@ -13,6 +14,7 @@ namespace asterism {
 namespace {
 
 constexpr double margin_m = 3;  ///< round places and the robot's way
+constexpr double line_width_px = 4;
 constexpr const char* no_path_colour = "#1040c0";
 
 /// What is measured at a place's first visit, by arm.
@@ -30,6 +32,9 @@ class PlacedMap {
   std::size_t size() const { return ranked_.map.places.size(); }
   const Pose2& pose(std::size_t place) const { return ranked_.layout.layout_from_place[place]; }
   std::string colour(PlaceArm arm) const { return path_colour(paths_.at(arm)); }
+  std::string stripe(PlaceArm arm, double width_px) const {
+    return path_stripe(paths_.at(arm), width_px);
+  }
   const Star& star(std::size_t place) const { return ranked_.map.places[place].star; }
   const MeasuredGateway* gateway(PlaceArm arm) const {
     const TopologicalMap::Place& place = ranked_.map.places[arm.place.index()];
@@ -42,9 +47,13 @@ class PlacedMap {
     points.insert(points.end(), back.rbegin(), back.rend());
     return points;
   }
-  std::vector<PlanPicture::Direction> directions(std::size_t place) const {
+  /// In which the arms of a place leave.
+  /// @param with_gateways  absent: of all
+  std::vector<PlanPicture::Direction> directions(std::size_t place,
+                                                 std::optional<bool> with_gateways = {}) const {
     std::vector<PlanPicture::Direction> result;
     for (std::size_t arm = 0; arm < star(place).size(); ++arm) {
+      if (with_gateways && star(place).has_gateway(arm) != *with_gateways) continue;
       const PlaceArm own{PlaceId(place), arm};
       double turn_rad = pose(place).heading_rad;
       const MeasuredGateway* found = gateway(own);
@@ -101,6 +110,33 @@ std::vector<NamedGateway> gateways_of(const PlacedMap& placed, const Topological
   return result;
 }
 
+/// The ways driven, straight from gateway to gateway where they are not known.
+void add_segments(PlanPicture& picture, const RunReport::Model& model, const PlacedMap& placed) {
+  const std::vector<TopologicalMap::Segment>& segments = model.ranked.map.segments;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const PlaceArm arm = segments[i].first;
+    const std::vector<Point2> line =
+        i < model.ways.size() ? model.ways[i].line : placed.way(segments[i]);
+    picture.add_line(line, fmt::format("class=\"segment\" stroke=\"{}\" stroke-width=\"{}\" "
+                                       "stroke-opacity=\"0.75\"",
+                                       placed.colour(arm), line_width_px));
+    if (const std::string stripe = placed.stripe(arm, line_width_px); !stripe.empty())
+      picture.add_line(line, stripe);
+  }
+}
+
+void add_places(PlanPicture& picture, const PlacedMap& placed,
+                const std::vector<PoseCovariance>& covariances) {
+  for (std::size_t p = 0; p < std::min(placed.size(), covariances.size()); ++p)
+    picture.add_ellipse(placed.pose(p), covariances[p]);
+  for (std::size_t p = 0; p < placed.size(); ++p) {
+    const Point2 at = placed.pose(p).position();
+    for (const PlanPicture::Direction& direction : placed.directions(p, false))
+      picture.add_dead_end(at, direction);
+    picture.add_place(at, p, placed.directions(p));
+  }
+}
+
 }  // namespace
 
 std::string layout_svg(const RunReport::Model& model, const Trace& trace, PictureSize size,
@@ -116,21 +152,14 @@ std::string layout_svg(const RunReport::Model& model, const Trace& trace, Pictur
   PlanPicture picture(shown, size.max_width_px, size.max_height_px);
   if (model.global_map) picture.add_grid(*model.global_map);
   picture.add_line(way, "stroke=\"#5b6b7f\" stroke-width=\"1\" stroke-opacity=\"0.8\"");
-  for (const TopologicalMap::Segment& segment : model.ranked.map.segments) {
-    picture.add_line(placed.way(segment),
-                     fmt::format("class=\"segment\" stroke=\"{}\" stroke-width=\"3.5\" "
-                                 "stroke-opacity=\"0.75\"",
-                                 placed.colour(segment.first)));
-  }
+  add_segments(picture, model, placed);
   const std::vector<NamedGateway> gateways = gateways_of(placed, model.ranked.map);
   for (const NamedGateway& each : gateways) picture.add_gateway(each.gateway);
-  for (std::size_t p = 0; p < placed.size(); ++p) {
-    if (p < layout.covariances.size()) picture.add_ellipse(placed.pose(p), layout.covariances[p]);
-  }
-  for (std::size_t p = 0; p < placed.size(); ++p) {
-    picture.add_place(placed.pose(p).position(), p, placed.directions(p));
-  }
+  if (!way.empty()) picture.add_start(way.front());
+  add_places(picture, placed, layout.covariances);
+  if (!way.empty()) picture.add_robot(model.trajectory.back().layout_from_robot);
   if (has_labels) {
+    if (!way.empty()) picture.add_label_at(way.front(), "start");
     for (const NamedGateway& each : gateways) picture.add_label_beside(each.gateway, each.arm);
   }
   picture.add_scale_bar();

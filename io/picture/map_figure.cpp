@@ -11,6 +11,7 @@ namespace {
 
 constexpr double pixels_per_unit = 160;
 constexpr double disc = 15;
+constexpr double line_width = 5;
 constexpr double bend_radius = 16;
 
 }  // namespace
@@ -41,7 +42,13 @@ std::pair<SvgPoint, SvgPoint> MapFigure::pixels(PlaceArm arm) const {
 }
 
 std::string MapFigure::stroke(std::size_t path, const char* more) {
-  return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"5\" {}", path_colour(path), more);
+  return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" {}", path_colour(path),
+                     line_width, more);
+}
+
+std::string MapFigure::stripe(std::size_t path) {
+  const std::string attributes = path_stripe(path, line_width);
+  return attributes.empty() ? attributes : "fill=\"none\" " + attributes;
 }
 
 std::string MapFigure::crossing_stroke() {
@@ -74,8 +81,18 @@ void MapFigure::draw_segment(SvgPen& pen, std::size_t segment, const Marks& mark
     pen.path(d, band_stroke());
   else if (!drawing_.without_crossings)  // a gap where it passes over another
     pen.path(d, "fill=\"none\" stroke=\"#ffffff\" stroke-width=\"13\"");
-  pen.path(d, segment == marks.crossing ? crossing_stroke()
-                                        : stroke(paths_.at(map_.segments[segment].first)));
+  if (segment == marks.crossing) {
+    pen.path(d, crossing_stroke());
+    return;
+  }
+  const std::size_t path = paths_.at(map_.segments[segment].first);
+  pen.path(d, stroke(path));
+  if (const std::string over = stripe(path); !over.empty()) pen.path(d, over);
+}
+
+void MapFigure::draw_path_line(SvgPen& pen, SvgPoint from, SvgPoint to, std::size_t path) {
+  pen.line(from, to, stroke(path));
+  if (const std::string over = stripe(path); !over.empty()) pen.line(from, to, over);
 }
 
 void MapFigure::draw_arm(SvgPen& pen, PlaceArm arm, std::size_t path) const {
@@ -89,7 +106,7 @@ void MapFigure::draw_arm(SvgPen& pen, PlaceArm arm, std::size_t path) const {
                fmt::format("stroke=\"{}\" stroke-width=\"2.5\"", path_colour(path)));
   } else {
     const SvgPoint end = place + 30 * along;
-    pen.line(place + disc * along, end, stroke(path));
+    draw_path_line(pen, place + disc * along, end, path);
     pen.line(end + 8.0 * aside, end - 8.0 * aside, stroke(path));
   }
 }
@@ -100,7 +117,8 @@ void MapFigure::draw_place(SvgPen& pen, std::size_t p, const Marks& marks) const
   pen.circle(centre, disc, "fill=\"#ffffff\"");
   for (std::size_t arm = 0; arm < map_.places[p].star.size(); ++arm) {
     const PlaceArm place_arm{PlaceId(p), arm};
-    pen.line(centre, towards(centre, pixels(place_arm).second, disc), stroke(paths_.at(place_arm)));
+    draw_path_line(pen, centre, towards(centre, pixels(place_arm).second, disc),
+                   paths_.at(place_arm));
   }
   pen.circle(centre, disc, "fill=\"none\" stroke=\"#222222\" stroke-width=\"2\"");
   pen.circle(centre, disc - 4.5, "fill=\"#ffffff\"");

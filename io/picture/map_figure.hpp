@@ -35,11 +35,14 @@ class MapFigure {
   void draw_robot(SvgPen& pen) const;
 
   static std::string stroke(std::size_t path, const char* more = "");
+  /// A straight piece of a path's line, with the stripe that tells it from others of its colour.
+  static void draw_path_line(SvgPen& pen, SvgPoint from, SvgPoint to, std::size_t path);
   static std::string crossing_stroke();
   static std::string band_stroke();
   static void draw_robot_arrow(SvgPen& pen, SvgPoint centre, SvgPoint along);
 
  private:
+  static std::string stripe(std::size_t path);
   SvgPoint pixel(MapDrawing::Point point) const;
   std::pair<SvgPoint, SvgPoint> pixels(PlaceArm arm) const;
   void draw_segment(SvgPen& pen, std::size_t segment, const Marks& marks) const;

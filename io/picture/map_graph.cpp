@@ -1,7 +1,6 @@
 #include "io/picture/map_graph.hpp"
 
 #include <set>
-#include <stdexcept>
 #include <vector>
 
 #include "io/bounds.hpp"
@@ -18,16 +17,22 @@ struct Attribute {
 };
 using Attributes = std::vector<Attribute>;
 
+std::string well_known_text(const std::vector<Point2>& line) {
+  std::string points;
+  for (const Point2 point : line)
+    points += (points.empty() ? "" : ", ") + decimal(point.x_m) + ' ' + decimal(point.y_m);
+  return "LINESTRING (" + points + ')';
+}
+
 /// What both languages tell of places and segments. Nothing in it needs an escape: labels are
 /// letters and digits.
 class MapGraph {
  public:
-  MapGraph(const TopologicalMap& map, std::span<const Pose2> layout_from_place)
-      : map_(map), poses_(layout_from_place), path_of_arm_(paths_of_arms(map)) {
-    if (!poses_.empty() && poses_.size() != map.places.size())
-      throw std::invalid_argument("layout: found " + std::to_string(poses_.size()) +
-                                  " poses; expected " + std::to_string(map.places.size()));
-    for (const Pose2& pose : poses_) require_writable(pose, "layout");
+  MapGraph(const TopologicalMap& map, std::span<const Pose2> layout_from_place,
+           std::span<const DrivenWay> ways)
+      : map_(map), poses_(layout_from_place), ways_(ways), path_of_arm_(paths_of_arms(map)) {
+    if (!poses_.empty()) require_poses(map, poses_);
+    if (!ways_.empty()) require_ways(map, ways_);
   }
 
   Attributes of_place(std::size_t place) const {
@@ -45,9 +50,15 @@ class MapGraph {
 
   Attributes of_segment(std::size_t segment) const {
     const auto& [one, other] = map_.segments[segment];
-    return {{"source_arm", "string", name(one)},
-            {"target_arm", "string", name(other)},
-            {"path", "int", std::to_string(path_of_arm_.at(one))}};
+    Attributes result{{"source_arm", "string", name(one)},
+                      {"target_arm", "string", name(other)},
+                      {"path", "int", std::to_string(path_of_arm_.at(one))}};
+    if (ways_.empty()) return result;
+    const auto& [line, length_m, width_m] = ways_[segment];
+    result.push_back({"length_m", "double", decimal(length_m)});
+    result.push_back({"width_m", "double", decimal(width_m)});
+    result.push_back({"line", "string", well_known_text(line)});
+    return result;
   }
 
   std::string name(PlaceArm arm) const { return map_.places[arm.place.index()].star.name(arm.arm); }
@@ -64,6 +75,7 @@ class MapGraph {
 
   const TopologicalMap& map_;
   std::span<const Pose2> poses_;
+  std::span<const DrivenWay> ways_;
   PathOfArm path_of_arm_;
 };
 
@@ -94,8 +106,9 @@ std::string dot_list(const Attributes& attributes) {
 
 }  // namespace
 
-std::string map_graphml(const TopologicalMap& map, std::span<const Pose2> layout_from_place) {
-  const MapGraph graph(map, layout_from_place);
+std::string map_graphml(const TopologicalMap& map, std::span<const Pose2> layout_from_place,
+                        std::span<const DrivenWay> ways) {
+  const MapGraph graph(map, layout_from_place, ways);
   std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n";
@@ -113,8 +126,9 @@ std::string map_graphml(const TopologicalMap& map, std::span<const Pose2> layout
   return text + "  </graph>\n</graphml>\n";
 }
 
-std::string map_dot(const TopologicalMap& map, std::span<const Pose2> layout_from_place) {
-  const MapGraph graph(map, layout_from_place);
+std::string map_dot(const TopologicalMap& map, std::span<const Pose2> layout_from_place,
+                    std::span<const DrivenWay> ways) {
+  const MapGraph graph(map, layout_from_place, ways);
   std::string text =
       "graph map {\n  graph [layout=neato, inputscale=5]\n  node [shape=circle]\n"
       "  edge [fontsize=10]\n";

@@ -23,7 +23,7 @@ void add_paths(MapPage& page, const TopologicalMap& map) {
     for (const PlaceId place : map.paths[i].places)
       places += (places.empty() ? "" : " \u2013 ") + std::to_string(place.index());
     if (map.paths[i].ends.empty()) places += " \u2013 closed";
-    page.pen().line(page.sign(), page.sign() + SvgPoint{22, 0}, MapFigure::stroke(i));
+    MapFigure::draw_path_line(page.pen(), page.sign(), page.sign() + SvgPoint{22, 0}, i);
     page.add(fmt::format("{}: {}", i, places), 30);
   }
 }

@@ -20,6 +20,7 @@ constexpr double chi_squared_95 = 5.991;  ///< of two degrees of freedom
 constexpr double unknown_grey = 232;
 constexpr double wall_grey = 24;
 constexpr const char* unknown_colour = "#e8e8e8";
+constexpr const char* ink = "#1d2530";
 
 /// A floor plan's greys, in few steps, so that the picture packs well.
 std::uint8_t plan_grey(float log_odds) {
@@ -183,17 +184,22 @@ void PlanPicture::add_gateway(const Gateway& gateway) {
 }
 
 void PlanPicture::add_label_ahead(const Gateway& gateway, const std::string& label) {
-  constexpr double gap_px = 13;
-  const Point2 out = unit_vector(gateway.outward_rad);
-  add_label(pixel(gateway.middle) + gap_px * Point2{out.x_m, -out.y_m}, gateway.colour, label);
+  const auto [middle, out, left] = seen(gateway);
+  const double half_px = gateway.width_m / 2 * px_per_m_;
+  add_label({middle + 13 * out, middle + 24 * out, middle + (half_px + 11) * left,
+             middle - (half_px + 11) * left},
+            gateway.colour, label);
 }
 
 void PlanPicture::add_label_beside(const Gateway& gateway, const std::string& label) {
-  constexpr double gap_px = 11;
-  const Point2 left = unit_vector(gateway.outward_rad + std::numbers::pi / 2);
-  add_label(
-      pixel(gateway.middle + (gateway.width_m / 2) * left) + gap_px * Point2{left.x_m, -left.y_m},
-      gateway.colour, label);
+  const auto [middle, out, left] = seen(gateway);
+  const double half_px = gateway.width_m / 2 * px_per_m_;
+  std::vector<Point2> spots;
+  for (const double gap_px : {11.0, 20.0})
+    for (const double ahead_px : {0.0, 12.0, -12.0})
+      for (const double side : {1.0, -1.0})
+        spots.push_back(middle + (side * (half_px + gap_px)) * left + ahead_px * out);
+  add_label(spots, gateway.colour, label);
 }
 
 void PlanPicture::add_ellipse(const Pose2& page_from_place, const PoseCovariance& covariance) {
@@ -220,6 +226,7 @@ void PlanPicture::add_place(Point2 at, std::size_t number,
   const std::string circle =
       fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\"", centre.x_m, centre.y_m);
   body_ += fmt::format("{} r=\"{}\" fill=\"#ffffff\"/>\n", circle, disc_px);
+  take(centre, disc_px + 1);
   for (const Direction& direction : directions) {
     const Point2 out = unit_vector(direction.heading_rad);
     body_ += line(centre, centre + disc_px * Point2{out.x_m, -out.y_m},
@@ -234,6 +241,49 @@ void PlanPicture::add_place(Point2 at, std::size_t number,
       centre.x_m, centre.y_m + 4, number < 100 ? 11.5 : 8.5, number);
 }
 
+void PlanPicture::add_dead_end(Point2 place, const Direction& direction) {
+  const Point2 out = unit_vector(direction.heading_rad);
+  const Point2 along{out.x_m, -out.y_m};
+  const Point2 centre = pixel(place);
+  const Point2 end = centre + (disc_px + 8) * along;
+  const std::string style = fmt::format("stroke=\"{}\" stroke-width=\"3\"", direction.colour);
+  body_ += line(centre + disc_px * along, end, style);
+  body_ += line(end + 6 * left_of(along), end - 6 * left_of(along), "class=\"dead-end\" " + style);
+  take(end, 7);
+}
+
+void PlanPicture::add_start(Point2 at) {
+  const Point2 spot = pixel(at);
+  body_ += fmt::format(
+      "<circle class=\"start\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\" "
+      "stroke=\"#ffffff\" stroke-width=\"1.5\"/>\n",
+      spot.x_m, spot.y_m, ink);
+  take(spot, 4);
+}
+
+void PlanPicture::add_label_at(Point2 at, const std::string& label) {
+  const Point2 spot = pixel(at);
+  std::vector<Point2> spots;
+  for (const double away : {1.0, 1.7, 2.5})
+    for (const Point2 towards : {Point2{0, -12}, Point2{0, 12}, Point2{24, 0}, Point2{-24, 0}})
+      spots.push_back(spot + away * towards);
+  add_label(spots, ink, label);
+}
+
+void PlanPicture::add_robot(const Pose2& page_from_robot) {
+  const Point2 spot = pixel(page_from_robot.position());
+  const Point2 out = unit_vector(page_from_robot.heading_rad);
+  const Point2 along{out.x_m, -out.y_m};
+  const Point2 tip = spot + 10 * along;
+  const Point2 one = spot - 6 * along + 7 * left_of(along);
+  const Point2 other = spot - 6 * along - 7 * left_of(along);
+  body_ += fmt::format(
+      "<path class=\"robot\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" fill=\"#1d2530\" "
+      "stroke=\"#ffffff\" stroke-width=\"1.5\"/>\n",
+      tip.x_m, tip.y_m, one.x_m, one.y_m, other.x_m, other.y_m);
+  take(spot, 9);
+}
+
 void PlanPicture::add_scale_bar() {
   const double length_m = round_below(0.25 * width_px_ / px_per_m_);
   const double y = plan_height_px_ + 14;
@@ -246,8 +296,42 @@ void PlanPicture::add_scale_bar() {
   height_px_ = plan_height_px_ + foot_px;
 }
 
-void PlanPicture::add_label(Point2 at_px, const std::string& colour, const std::string& label) {
+PlanPicture::Seen PlanPicture::seen(const Gateway& gateway) const {
+  const Point2 out = unit_vector(gateway.outward_rad);
+  return {pixel(gateway.middle), {out.x_m, -out.y_m}, {-out.y_m, -out.x_m}};
+}
+
+void PlanPicture::take(Point2 at_px, double reach_px) {
+  const Point2 reach{reach_px, reach_px};
+  taken_.push_back({at_px - reach, at_px + reach});
+}
+
+/// How much of a box lies on what is taken, or out of the picture.
+double PlanPicture::taken_px2(const Box& box) const {
+  const auto shared_px2 = [&](const Box& other) {
+    const Point2 low{std::max(box.low.x_m, other.low.x_m), std::max(box.low.y_m, other.low.y_m)};
+    const Point2 high{std::min(box.high.x_m, other.high.x_m),
+                      std::min(box.high.y_m, other.high.y_m)};
+    return std::max(0.0, high.x_m - low.x_m) * std::max(0.0, high.y_m - low.y_m);
+  };
+  const Point2 size = box.high - box.low;
+  double sum_px2 = size.x_m * size.y_m - shared_px2({{0, 0}, {width_px_, plan_height_px_}});
+  for (const Box& other : taken_) sum_px2 += shared_px2(other);
+  return sum_px2;
+}
+
+/// At the first of the spots that is free, or at that of which least is taken; nowhere if that is
+/// too much to be read.
+void PlanPicture::add_label(const std::vector<Point2>& spots_px, const std::string& colour,
+                            const std::string& label) {
   constexpr double size_px = 11;
+  const Point2 half{0.31 * size_px * static_cast<double>(label.size()), 0.5 * size_px};
+  const auto box = [&](Point2 spot) { return Box{spot - half, spot + half}; };
+  const Point2 at_px = *std::ranges::min_element(
+      spots_px, {}, [&](Point2 spot) { return std::round(taken_px2(box(spot))); });
+  constexpr double most_taken = 0.3;
+  if (taken_px2(box(at_px)) > most_taken * 4 * half.x_m * half.y_m) return;
+  taken_.push_back(box(at_px));
   body_ += fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" font-weight=\"bold\" "
       "text-anchor=\"middle\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" "

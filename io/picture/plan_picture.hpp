@@ -48,9 +48,11 @@ class PlanPicture {
     bool is_open = false;  ///< no segment yet: drawn with a dashed way on
   };
   void add_gateway(const Gateway& gateway);
-  /// In front of a gateway, in its colour.
+  // Labels keep off discs and each other; where there is no room for one, it is left out.
+
+  /// In front of a gateway, in its colour; beside it where that is taken.
   void add_label_ahead(const Gateway& gateway, const std::string& label);
-  /// At the gateway's left end, where no way leads on.
+  /// At one end of a gateway, where no way leads on; elsewhere near it where both are taken.
   void add_label_beside(const Gateway& gateway, const std::string& label);
 
   /// Where a pose is with a probability of 95 %, its heading aside.
@@ -62,6 +64,15 @@ class PlanPicture {
     std::string colour = {};
   };
   void add_place(Point2 at, std::size_t number, const std::vector<Direction>& directions);
+  /// Out of a place's disc, a bar where no way leads on.
+  void add_dead_end(Point2 place, const Direction& direction);
+
+  /// A dot: where the robot began.
+  void add_start(Point2 at);
+  /// A word above or beside a spot.
+  void add_label_at(Point2 at, const std::string& label);
+  /// An arrowhead.
+  void add_robot(const Pose2& page_from_robot);
 
   /// A length in round metres, below the picture.
   void add_scale_bar();
@@ -70,8 +81,24 @@ class PlanPicture {
   std::string svg(const std::string& title) const;
 
  private:
+  /// Upright, in pixels.
+  struct Box {
+    Point2 low = {};
+    Point2 high = {};
+  };
+  /// A gateway in pixels: its middle, and the unit vectors outwards and to the left of that.
+  struct Seen {
+    Point2 middle = {};
+    Point2 out = {};
+    Point2 left = {};
+  };
+
   Point2 pixel(Point2 in_page) const;
-  void add_label(Point2 at_px, const std::string& colour, const std::string& label);
+  Seen seen(const Gateway& gateway) const;
+  void take(Point2 at_px, double reach_px);
+  double taken_px2(const Box& box) const;
+  void add_label(const std::vector<Point2>& spots_px, const std::string& colour,
+                 const std::string& label);
 
   Point2 low_;
   double px_per_m_ = 1;
@@ -79,6 +106,7 @@ class PlanPicture {
   double plan_height_px_ = 0;  ///< without what stands below
   double height_px_ = 0;
   std::string body_;
+  std::vector<Box> taken_;  ///< what labels keep off, where they can
 };
 
 }  // namespace asterism

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "io/picture/layout_picture.hpp"
 #include "io/picture/map_legend.hpp"
@@ -22,8 +23,8 @@ std::string tail_text(const RankedMap& ranked) {
   return "tail probability " + probability_text(ranked.misfit.tail_probability);
 }
 
-bool are_of_one_size(const TopologicalMap& a, const TopologicalMap& b) {
-  return a.paths.size() == b.paths.size() && a.places.size() == b.places.size();
+std::pair<std::size_t, std::size_t> size_of(const TopologicalMap& map) {
+  return {map.paths.size(), map.places.size()};
 }
 
 /// How many maps there are, and of what.
@@ -48,8 +49,10 @@ std::string counts_clause(const RunReport& report) {
 /// How the best stands against the next: the first difference in the order of ranking decides.
 std::string lead_clause(const RankedMap& best, const RankedMap& next) {
   if (best.is_plausible && !next.is_plausible) return "the next is not plausible";
-  if (!are_of_one_size(best.map, next.map))
+  if (size_of(best.map) < size_of(next.map))
     return "it is simpler than the next, which has " + size_text(next.map);
+  if (size_of(next.map) < size_of(best.map))
+    return "the next, which has " + size_text(next.map) + ", fits worse what was measured";
   const double lead = best.log_likelihood - next.log_likelihood;
   if (lead < 0.05) return "the next is as likely";
   return "it is " + times_text(lead) + " times as likely as the next";
@@ -143,6 +146,19 @@ std::string card(const RunReport& report, std::size_t index) {
   return text + path_list(model.ranked.map) + "</article>\n";
 }
 
+/// A piece of a path's line.
+std::string path_sign(std::size_t path) {
+  constexpr double line_width = 6;
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"sign\" viewBox=\"0 0 26 8\"><path d=\"M0 "
+      "4h26\" stroke=\"{}\" "
+      "stroke-width=\"{}\"/>",
+      path_colour(path), line_width);
+  if (const std::string stripe = path_stripe(path, line_width); !stripe.empty())
+    text += "<path d=\"M0 4h26\" " + stripe + "/>";
+  return text + "</svg>";
+}
+
 }  // namespace
 
 std::string path_list(const TopologicalMap& map) {
@@ -152,8 +168,8 @@ std::string path_list(const TopologicalMap& map) {
     for (const PlaceId place : map.paths[i].places) {
       places += (places.empty() ? "" : " – ") + std::to_string(place.index());
     }
-    text += fmt::format("<li><b style=\"background:{}\"></b>path {}: {}{}</li>\n", path_colour(i),
-                        i, places, map.paths[i].ends.empty() ? " – closed" : "");
+    text += fmt::format("<li>{}path {}: {}{}</li>\n", path_sign(i), i, places,
+                        map.paths[i].ends.empty() ? " – closed" : "");
   }
   return text + "</ul>\n";
 }

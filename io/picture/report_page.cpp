@@ -14,6 +14,8 @@ namespace asterism {
 namespace {
 
 constexpr PictureSize main_size{780, 900};
+constexpr PictureSize wide_size{1190, 1300};
+constexpr std::size_t many_places = 15;  ///< these need the page's whole width
 constexpr PictureSize beside_size{390, 640};
 
 void require_fit(const RunReport& report) {
@@ -75,15 +77,19 @@ std::string header(const RunReport& report) {
 std::string maps_section(const RunReport& report) {
   std::string map;
   std::string beside;
+  bool is_wide = false;
   if (!report.models.empty()) {
     const RunReport::Model& best = report.models.front();
-    map = fmt::format("<figure>{}</figure>\n", layout_svg(best, report.trace, main_size, true,
-                                                          "global map with the layout of rank 1"));
+    is_wide = best.ranked.map.places.size() > many_places;
+    map = fmt::format("<figure>{}</figure>\n",
+                      layout_svg(best, report.trace, is_wide ? wide_size : main_size, true,
+                                 "global map with the layout of rank 1"));
     beside = fmt::format(
         "<div class=\"legend\">\n<h3>Rank 1</h3>\n{}<p class=\"note\">Numbered discs are places, "
         "coloured lines the segments of their paths, bars gateways with the names of their arms; "
-        "dashed, a gateway not yet travelled. The thin line is the robot’s way. Orange ellipses, "
-        "where larger than the discs, hold a place with a probability of 95 %.</p></div>\n",
+        "dashed, a gateway not yet travelled; a crossbar at a disc ends a path. The thin line is "
+        "the robot’s way, from the dot to the arrowhead. Orange ellipses, where larger than the "
+        "discs, hold a place with a probability of 95 %.</p></div>\n",
         path_list(best.ranked.map));
   }
   if (report.odometry_map) {
@@ -94,8 +100,8 @@ std::string maps_section(const RunReport& report) {
   }
   if (map.empty() && beside.empty()) return {};
   return fmt::format(
-      "<section>\n<h2>Map</h2>\n<div class=\"maps\">\n{}<div>\n{}</div>\n</div>\n</section>\n", map,
-      beside);
+      "<section>\n<h2>Map</h2>\n<div class=\"{}\">\n{}<div{}>\n{}</div>\n</div>\n</section>\n",
+      is_wide ? "stacked" : "maps", map, is_wide ? " class=\"pair\"" : "", beside);
 }
 
 std::string chart(const RunReport& report) {

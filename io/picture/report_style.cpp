@@ -31,6 +31,7 @@ dd { margin: 0; font-size: 1.05rem; font-weight: 600; font-variant-numeric: tabu
 .legend h3 { margin-top: 0; }
 .legend { margin-bottom: 1.4rem; }
 .legend .note { margin-top: .7rem; }
+.stacked .pair { margin-top: 1.2rem; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 1.8rem; align-items: start; }
 .cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 30rem), 1fr));
   gap: 1.4rem; }
@@ -52,8 +53,7 @@ dd { margin: 0; font-size: 1.05rem; font-weight: 600; font-variant-numeric: tabu
 .row .other { outline: 2px solid #d55e00; outline-offset: -1px; }
 .paths { display: flex; flex-wrap: wrap; gap: .15rem 1.3rem; list-style: none; margin: .6rem 0 0;
   padding: 0; font-size: .87rem; }
-.paths b { display: inline-block; width: 1.5em; height: .32em; margin-right: .45em;
-  vertical-align: .22em; }
+.paths .sign { display: inline-block; width: 26px; height: 8px; margin-right: .45em; }
 .tiles { display: grid; grid-template-columns: repeat(auto-fill, minmax(10.5rem, 1fr));
   gap: 1.1rem .9rem; }
 .tiles figcaption { font-size: .78rem; line-height: 1.35; overflow-wrap: anywhere; }

@@ -58,12 +58,12 @@ std::string counted(std::uint64_t count, const std::string& word) {
 
 std::string probability_text(double probability) {
   if (probability >= 0.001) return decimals(probability, 3);
-  return probability > 0 ? power_text(std::log10(probability)) : "0";
+  return probability < 1e-9 ? "under 10⁻⁹" : power_text(std::log10(probability));
 }
 
 std::string times_text(double logarithm) {
   const double logarithm_10 = logarithm / std::numbers::ln10;
-  if (logarithm_10 >= 6) return power_text(logarithm_10);
+  if (logarithm_10 >= 6) return "over a million";
   const double times = std::exp(logarithm);
   if (times < 100) return decimals(times, 1);
   const double power = std::pow(10, std::floor(logarithm_10) - 1);  // two digits that count

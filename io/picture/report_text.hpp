@@ -17,9 +17,9 @@ std::string decimals(double value, int digits);
 std::string count_text(std::uint64_t count);
 /// "1 map", "3 maps".
 std::string counted(std::uint64_t count, const std::string& word);
-/// "0.583", or "2·10⁻⁷" where that says more.
+/// "0.583", "2·10⁻⁷" where that says more, and no less than "under 10⁻⁹".
 std::string probability_text(double probability);
-/// e to that power: "1.4", "220 000" or "3·10²¹".
+/// e to that power: "1.4", "220 000" or "over a million".
 std::string times_text(double logarithm);
 /// "places 1 and 5 lie on one spot, 0.02 m apart"
 std::string shared_spot_text(const SharedSpot& spot);

@@ -14,6 +14,7 @@ import unittest
 
 from poses import between, logarithm, mean_band, normalised_squared, read_trajectory
 from program import arm_number, run, view
+from routes import bad_routes
 
 SEEDS = range(1001, 1051)
 
@@ -57,6 +58,7 @@ class Mapped:
         self.true_map = json.loads(truth[1].read_text())["maps"][0]
         self.poses = read_trajectory(truth[2])
         self.seen = json.loads((folder / "found/log.trace.json").read_text())["visits"]
+        self.bad_routes = bad_routes(folder / "found")
         self.ranked = json.loads((folder / "found/maps.json").read_text())["ranked"][0]
         self.compare_traces()
 
@@ -141,6 +143,11 @@ class Buildings(unittest.TestCase):
         print(f"{len(errors)} places: {position_m:.3f} m and {math.degrees(heading_rad):.2f}° RMSE")
         self.assertLessEqual(position_m, 0.3)
         self.assertLessEqual(heading_rad, math.radians(2))
+
+    def test_routes_lead_through_no_wall(self):
+        bad = [(one.seed, one.bad_routes) for one in self.all if one.bad_routes]
+        print(f"routes of {len(self.all)} buildings; through walls or unknown ground: {bad}")
+        self.assertEqual(bad, [])
 
     def test_no_two_places_of_a_true_map_share_a_spot(self):
         shared = [(one.seed, one.ranked["shared_spots"]) for one in self.true

@@ -11,6 +11,7 @@ import sys
 import unittest
 
 from program import PROGRAM, SOURCE, Folder, run, shown_in
+from routes import bad_routes
 
 DATA = pathlib.Path(os.environ.get("ASTERISM_DATA", SOURCE / "../shared/data"))
 TRUE_ACES = [0, 1, 2, 3, 4, 5, 6, 7, 0, 8, 4, 8, 6, 8, 2]  # data/aces/places.md
@@ -24,6 +25,7 @@ class Logs(Folder):
         self.assertIn(done.returncode, (0, 1), done.stderr)
         self.assertEqual(run("validate", out / "maps.json", out / "trajectory.tum",
                              out / "layout.g2o", out / "map.yaml").returncode, 0)
+        self.assertEqual(bad_routes(out), [])
         return done.returncode, json.loads(done.stdout)
 
     def errors(self, name, kind, file):
@@ -55,6 +57,10 @@ class Logs(Folder):
     def test_duke_loop5(self):
         code, found = self.mapped("duke_loop5")
         self.assertEqual((code, found["scans"]), (0, 551))
+
+    @unittest.skipUnless((DATA / "seattle").exists(), "the data are not here")
+    def test_seattle(self):
+        self.mapped("seattle")
 
     @unittest.skipUnless((DATA / "intel").exists(), "the data are not here")
     def test_the_page_shows_what_comes_out(self):

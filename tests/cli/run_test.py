@@ -11,9 +11,10 @@ import unittest
 import xml.etree.ElementTree as xml
 
 from program import PROGRAM, SOURCE, Folder, run, shown_in_readme
+from routes import bad_routes
 
 OF_A_MODEL = {"trajectory.tum", "map.pgm", "map.yaml", "map.png", "layout.g2o", "map.graphml",
-              "map.dot", "routes.geojson"}  # fmt: skip
+              "map.dot", "routes.geojson", "routes.osm"}  # fmt: skip
 OF_A_RUN = {"log.trace.json", "maps.json", "report.html"}
 
 
@@ -90,16 +91,62 @@ class Office(unittest.TestCase):
     def test_all_files_are_there(self):
         self.assertEqual(results(self.folder),
                          {".": OF_A_RUN | OF_A_MODEL, "model-2": OF_A_MODEL})
-        visits = {f"visit-{k}" for k in range(4)}
+        visits = {"perception", *(f"visit-{k}" for k in range(4))}
         self.assertEqual({file.stem for file in (self.folder / "log.lpm").iterdir()}, visits)
 
+    def test_another_question_takes_up_what_was_perceived(self):
+        _, folder = self.again(folder="twice")
+        whole = contents(folder)
+        done, folder = self.again(folder="twice")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("places as perceived before", done.stdout)
+        self.assertEqual(contents(folder), whole)
+        done, folder = self.again("--afresh", folder="twice")
+        self.assertNotIn("places as perceived before", done.stdout)
+        self.assertEqual(contents(folder), whole)
+        assumed = ["--assume", "differ(0, 1)", "--models", "1"]
+        done, folder = self.again(*assumed, folder="twice")
+        self.assertIn("places as perceived before", done.stdout)
+        _, other = self.again(*assumed, folder="assumed")
+        self.assertEqual(contents(folder), contents(other))
+
+    def test_a_trace_that_is_told_gives_its_own_map(self):
+        trace = self.folder / "log.trace.json"
+        done, folder = self.again("--trace", trace, folder="told")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("places as told by", done.stdout)
+        told, whole = contents(folder), contents(self.folder)
+        for file in (told, whole):
+            file.pop("log.lpm/perception.json")
+        self.assertEqual(told, whole)
+        edited = self.home / "edited.trace.json"
+        visits = json.loads(trace.read_text())
+        visits["visits"].pop()
+        visits["visits"][-1].pop("left_by")
+        edited.write_text(json.dumps(visits))
+        lpm = ["--trace", edited, "--lpm", self.folder / "log.lpm"]
+        done, folder = self.again(*lpm, folder="edited")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        maps = json.loads((folder / "maps.json").read_text())
+        self.assertEqual(len(maps["ranked"][0]["visits"]), 3)
+        visits["visits"][1].pop("displacement")
+        edited.write_text(json.dumps(visits))
+        done, folder = self.again(*lpm, folder="refused")
+        self.assertEqual((done.returncode, folder.exists()), (65, False))
+        self.assertIn(":/visits/1/displacement: found nothing; expected ", done.stderr)
+        done, _ = self.again("--lpm", self.folder / "log.lpm", folder="refused")
+        self.assertEqual(done.returncode, 64)
+
     def test_they_are_valid(self):
-        files = [self.folder / "log.trace.json", self.folder / "maps.json"]
+        files = [self.folder / name
+                 for name in ("log.trace.json", "maps.json", "log.lpm/perception.json")]
         for folder in (self.folder, self.folder / "model-2"):
             files += [folder / name for name in
                       ("trajectory.tum", "map.yaml", "map.pgm", "layout.g2o")]
             xml.parse(folder / "map.graphml")
             self.assertIn("graph", (folder / "map.dot").read_text())
+            xml.parse(folder / "routes.osm")
+            self.assertEqual(bad_routes(folder), [])
             self.assertIn("features", json.loads((folder / "routes.geojson").read_text()))
         done = run("validate", *files)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -150,7 +197,7 @@ class Office(unittest.TestCase):
             self.assertIn(f"<b>{decided}</b>", text)
 
     def test_same_log_same_bytes(self):
-        done, folder = self.again()
+        done, folder = self.again("--afresh")
         self.assertEqual(done.stdout.replace("other", "out"), self.done.stdout)
         self.assertEqual(contents(folder), contents(self.folder))
 

@@ -16,7 +16,7 @@ const fs::path tests = fs::path(ASTERISM_SOURCE_DIR) / "tests";
 /// Whether files of a kind are JSON, and lie in tests/traces too. Of other kinds any file is one.
 bool is_json(const std::string& kind) {
   return kind == "trace" || kind == "maps" || kind == "expect" || kind == "detector_lines" ||
-         kind == "checkpoint";
+         kind == "checkpoint" || kind == "perception";
 }
 
 std::set<fs::path> listed(const fs::path& folder, const std::string& kind) {

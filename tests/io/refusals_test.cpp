@@ -5,6 +5,7 @@
 #include "io/json/checkpoint_file.hpp"
 #include "io/json/expect_file.hpp"
 #include "io/json/maps_file.hpp"
+#include "io/json/perception_file.hpp"
 #include "io/json/trace_file.hpp"
 #include "io/log/pose_graph_file.hpp"
 #include "io/log/relations_file.hpp"
@@ -43,6 +44,7 @@ TEST_CASE("every bad file is refused, and the message says where and why", "[io]
   SECTION("maps") { check_refused("maps", 20, read_any_maps_file, read_any_maps); }
   SECTION("expect") { check_refused("expect", 40, read_expect_file, read_expectation); }
   SECTION("checkpoint") { check_refused("checkpoint", 30, read_checkpoint_file, read_checkpoint); }
+  SECTION("perception") { check_refused("perception", 12, read_perception_file, read_perception); }
   SECTION("trajectory") { check_refused("tum", 1, read_trajectory_file); }
   SECTION("reference") { check_refused("reference", 1, read_reference_file); }
   SECTION("relations") { check_refused("relations", 1, read_relations_file); }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "io/json/digest.hpp"
 #include "mapping/minimal_report.hpp"
 #include "tests/io/folder.hpp"
 #include "tests/mapping/shipped_trace.hpp"

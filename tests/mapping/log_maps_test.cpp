@@ -4,42 +4,19 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "io/json/maps_file.hpp"
 #include "io/json/trace_file.hpp"
 #include "io/log/carmen_log.hpp"
 #include "mapping/log_files.hpp"
-#include "simulation/drive.hpp"
-#include "simulation/office_building.hpp"
 #include "tests/io/folder.hpp"
+#include "tests/mapping/office_drive.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace asterism;
-
-namespace {
-
-/// Four visits in an office of at most six places. Two maps are left: one goes round where the
-/// robot did not, and is simpler.
-void write_drive(const std::string& file) {
-  RandomEngine engine(6);
-  const Building office = office_building({.columns = 3, .rows = 2}, engine);
-  const Route route = random_route(office.world, {.travels = 3}, engine);
-  Drive drive(office, route, {}, engine());
-  write_carmen_log(file, [&] { return drive.next(); });
-}
-
-/// Written once: to drive takes longer than to map.
-const std::string& log_of_drive() {
-  static const Folder folder;
-  static const std::string file = [] {
-    write_drive(folder.file("office.log"));
-    return folder.file("office.log");
-  }();
-  return file;
-}
-
-}  // namespace
 
 TEST_CASE("from a log come ranked maps, each with a trajectory and a global map",
           "[mapping][slow]") {
@@ -93,14 +70,15 @@ TEST_CASE("what is assumed holds in all maps of a log, and must name its visits"
 
 TEST_CASE("the files of a log read back as what was found", "[mapping][slow]") {
   const Folder folder;
-  const LogMaps maps = map_log(log_of_drive(), {.resolution_m = 0.2});
-  const RunReport report = run_report_of(maps);
-  CHECK(report.decided.size() == 4);
-  CHECK(report.planar_per_visit == maps.explained.other_per_visit);
+  LogMaps maps = map_log(log_of_drive(), {.resolution_m = 0.2});
+  const Trace perceived = maps.perceived.trace;
+  const std::vector<std::uint64_t> planar_per_visit = maps.explained.other_per_visit;
   const std::filesystem::path out = folder.file("out");
-  write_log_files(out, maps, report);
+  const RunReport report = write_log_files(out, std::move(maps));
+  CHECK(report.decided.size() == 4);
+  CHECK(report.planar_per_visit == planar_per_visit);
   const Trace trace = read_trace_file((out / "log.trace.json").string());
-  CHECK(trace.visits[3].star == maps.perceived.trace.visits[3].star);
+  CHECK(trace.visits[3].star == perceived.visits[3].star);
   for (const Visit& visit : trace.visits) CHECK(std::filesystem::exists(out / visit.lpm.value()));
   CHECK(std::get<MapReport>(read_any_maps_file((out / "maps.json").string())).ranked.size() == 2);
   for (const char* name :

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "io/json/digest.hpp"
 #include "tests/io/corpus.hpp"
 #include "tests/support/catch.hpp"
 

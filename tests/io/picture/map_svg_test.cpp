@@ -1,6 +1,12 @@
 #include "io/picture/map_svg.hpp"
 
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+
 #include "drawing/plane_drawing.hpp"
+#include "io/picture/map_legend.hpp"
 #include "tests/io/picture/xml_check.hpp"
 #include "tests/support/catch.hpp"
 
@@ -57,6 +63,13 @@ TEST_CASE("a title is text, whatever is in it", "[io]") {
 TEST_CASE("the same map gives the same picture", "[io]") {
   const TopologicalMap map = square();
   CHECK(map_svg(map, draw(map), "a") == map_svg(map, draw(map), "a"));
+}
+
+TEST_CASE("a hundred paths are told apart by colour and stripe", "[io]") {
+  std::set<std::pair<std::string, std::string>> signs;
+  for (std::size_t path = 0; path < 100; ++path)
+    CHECK(signs.emplace(path_colour(path), path_stripe(path, 5)).second);
+  CHECK(path_stripe(11, 5).empty());
 }
 
 TEST_CASE("the colours of paths differ in one picture, and one path keeps its own", "[io]") {

@@ -7,6 +7,7 @@
 
 #include "drawing/plane_drawing.hpp"
 #include "io/picture/map_svg.hpp"
+#include "io/picture/plan_picture.hpp"
 #include "simulation/grid_world.hpp"
 #include "simulation/walk.hpp"
 #include "tests/io/picture/xml_check.hpp"
@@ -205,7 +206,7 @@ TEST_CASE("places on one spot are named, with the visits that ought to be one an
   best.is_plausible = false;
   const std::string page = run_report_html(report);
   CHECK(has(page, "not plausible, since places 0 and 1 lie on one spot, 0.02 m apart"));
-  CHECK(has(page, "ought to be one place (tail probability 3·10⁻¹⁰)"));
+  CHECK(has(page, "ought to be one place (tail probability under 10⁻⁹)"));
   CHECK(has(page, "<title>places 0 and 1 lie on one spot, 0.02 m apart</title>"));
   CHECK(has(page, "gateways of place 0 orange, of place 1 blue"));
   CHECK(is_well_formed(page));
@@ -225,6 +226,9 @@ TEST_CASE("the verdict names what set the best map apart", "[io]") {
   CHECK(has(run_report_html(report), "the next is as likely"));
   next.map.paths.push_back(next.map.paths.front());
   CHECK(has(run_report_html(report), "it is simpler than the next"));
+  next.map.paths.pop_back();
+  next.map.paths.pop_back();
+  CHECK(has(run_report_html(report), "fits worse what was measured"));
   next.is_plausible = false;
   CHECK(has(run_report_html(report), "the next is not plausible"));
   report.models[0].ranked.misfit.tail_probability = 3e-8;
@@ -268,6 +272,52 @@ TEST_CASE("the overlay puts places where the layout says and the grid has them",
     constexpr double text_px = 4;  // a number stands that far below its middle
     CHECK(discs[p][1] - text_px == Approx(m[3] * right + m[5] * down + m[7]).margin(rounding_px));
   }
+}
+
+TEST_CASE("the overlay shows the ways driven, dead ends, start and robot", "[io]") {
+  RunReport report = random_report(8);
+  RunReport::Model& best = report.models[0];
+  const auto overlay = [&] { return part(run_report_html(report), "<title>global map", "</svg>"); };
+  const std::string straight = overlay();
+  CHECK(count_of(straight, "class=\"segment\"") == best.ranked.map.segments.size());
+  CHECK(count_of(straight, "class=\"start\"") == 1);
+  CHECK(count_of(straight, "class=\"robot\"") == 1);
+  std::size_t dead_ends = 0;
+  for (const TopologicalMap::Place& place : best.ranked.map.places)
+    for (std::size_t arm = 0; arm < place.star.size(); ++arm)
+      dead_ends += !place.star.has_gateway(arm);
+  CHECK(dead_ends > 0);
+  CHECK(count_of(straight, "class=\"dead-end\"") == dead_ends);
+  for (const auto& [one, other] : best.ranked.map.segments) {
+    const auto at = [&](PlaceArm arm) {
+      return best.ranked.layout.layout_from_place[arm.place.index()].position();
+    };
+    best.ways.push_back({{at(one), at(one) + Point2{3, 7}, at(other)}, 20, 2});
+  }
+  const std::string driven = overlay();
+  CHECK(driven != straight);
+  CHECK(count_of(driven, "class=\"segment\"") == best.ranked.map.segments.size());
+}
+
+TEST_CASE("a label keeps off the discs and the labels before it, where it can", "[io]") {
+  PlanBounds shown;
+  shown.include(Point2{0, 0}, 10);
+  PlanPicture picture(shown, 400, 400);
+  const PlanPicture::Gateway gateway{.outward_rad = 0, .width_m = 2, .colour = "#000000"};
+  const auto labels = [&](const std::string& name) {
+    const std::string number = "(-?[0-9.]+)";
+    return numbers(picture.svg(""), "<text x=\"" + number + "\" y=\"" + number + "\"[^>]*>" + name);
+  };
+  picture.add_label_beside(gateway, "one");
+  picture.add_label_beside(gateway, "two");
+  picture.add_place({1, 3.2}, 0, {});  // over a third label's spots to the left
+  picture.add_label_beside(gateway, "six");
+  const double middle = 200;
+  CHECK(labels("one").at(0)[1] < middle);  // the left is up
+  CHECK(labels("two").at(0)[1] > middle);
+  const auto third = labels("six").at(0);
+  for (const auto& taken : {labels("one").at(0), labels("two").at(0)})
+    CHECK(std::hypot(third[0] - taken[0], third[1] - taken[1]) > 11);
 }
 
 TEST_CASE("visits that differ from the best map's are marked", "[io]") {
