@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -91,18 +92,22 @@ std::vector<Move> moves(const std::vector<fs::path>& files, const fs::path& from
 }
 
 /// Moves all; where one cannot be moved, those before it are moved back.
-std::error_code move_all(const std::vector<Move>& moves) {
+std::optional<MoveFault> move_all(const std::vector<Move>& moves) {
   for (std::size_t i = 0; i < moves.size(); ++i) {
     std::error_code error;
     const auto& [from, to] = moves[i];
     fs::create_directories(to.parent_path(), error);
     if (!error) fs::rename(from, to, error);
     if (!error) continue;
-    std::error_code ignored;  // what cannot be moved back stays where it is: it is not removed
-    while (i-- > 0) fs::rename(moves[i].second, moves[i].first, ignored);
-    return error;
+    bool are_back = true;
+    while (i-- > 0) {
+      std::error_code again;
+      fs::rename(moves[i].second, moves[i].first, again);
+      are_back = are_back && !again;
+    }
+    return MoveFault{error, are_back};
   }
-  return {};
+  return std::nullopt;
 }
 
 /// Whether the program runs in a folder: the one that started it would find itself in one that is
@@ -150,7 +155,7 @@ ResultFolder::ResultFolder(const fs::path& folder) : is_new_(!exists(folder)) {
 
 ResultFolder::~ResultFolder() {
   std::error_code error;
-  if (!holds_others_) fs::remove_all(unfinished_, error);
+  if (!is_kept_) fs::remove_all(unfinished_, error);
   if (is_new_) fs::remove(folder_, error);  // if it is empty
 }
 
@@ -159,33 +164,36 @@ void ResultFolder::finish() {
   if (unfinished_.parent_path() != folder_) {
     fs::permissions(unfinished_, fs::status(folder_, ignored).permissions(), ignored);
     if (change_places(unfinished_, folder_)) {
-      const auto others = moves(files_in(unfinished_, false), unfinished_, folder_);
-      try {
-        move_to_folder(others);
-      } catch (const Error&) {
-        if (!change_places(unfinished_, folder_)) throw;
-        holds_others_ = false;
-        throw Error(folder_.string() +
-                    ": found a file beside the results that cannot be moved; "
-                    "expected to replace them; they are as they were");
-      }
+      is_kept_ = true;
+      const auto fault = move_all(moves(files_in(unfinished_, false), unfinished_, folder_));
+      if (fault) refuse(*fault, change_places(unfinished_, folder_) && fault->are_back);
+      is_kept_ = false;
       return;
     }
   }
+  is_kept_ = true;
   const fs::path before = unfinished_ / ".before";
   std::vector<Move> all = moves(files_in(folder_, true), folder_, before);
   std::ranges::copy(moves(files_in(unfinished_, true), unfinished_, folder_),
                     std::back_inserter(all));
-  move_to_folder(all);
+  if (const auto fault = move_all(all)) {
+    remove_empty_folders(before);
+    fs::remove(before, ignored);
+    refuse(*fault, fault->are_back);
+  }
+  is_kept_ = false;
   remove_empty_folders(folder_);
 }
 
-void ResultFolder::move_to_folder(const std::vector<std::pair<fs::path, fs::path>>& files) {
-  holds_others_ = true;
-  if (const std::error_code error = move_all(files))
-    throw Error(fmt::format("{}: found {}; expected to move there what is in {} now",
-                            folder_.string(), system_message(error.value()), unfinished_.string()));
-  holds_others_ = false;
+void ResultFolder::refuse(const MoveFault& fault, bool are_back) const {
+  const std::string found = system_message(fault.error.value());
+  if (are_back)
+    throw Error(
+        fmt::format("{}: found {}; expected to replace the results there, which are as they "
+                    "were; the new ones lie in {}",
+                    folder_.string(), found, unfinished_.string()));
+  throw Error(fmt::format("{}: found {}; expected to move there what is in {} now",
+                          folder_.string(), found, unfinished_.string()));
 }
 
 }  // namespace asterism

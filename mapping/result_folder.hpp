@@ -1,10 +1,15 @@
 #pragma once
 
 #include <filesystem>
-#include <utility>
-#include <vector>
+#include <system_error>
 
 namespace asterism {
+
+/// Why files could not be moved.
+struct MoveFault {
+  std::error_code error;
+  bool are_back = true;  ///< whether all lie again where they did
+};
 
 /// The folder for the results of a run: of one run, and whole. They are written to a folder beside
 /// it, and the two change places in one step once all are there; what an earlier run left goes
@@ -21,17 +26,18 @@ class ResultFolder {
 
   /// Where to write.
   const std::filesystem::path& unfinished() const { return unfinished_; }
-  /// @throws Error if the results cannot be moved: they then lie where they were written, and what
-  ///         an earlier run left lies where it did, or with them if it cannot be moved back either
+  /// @throws Error if the results cannot be moved: they then lie where they were written, until the
+  ///         next run, and what an earlier run left lies where it did, or with them if it cannot be
+  ///         moved back either; then the next run leaves both alone
   void finish();
 
  private:
-  void move_to_folder(const std::vector<std::pair<std::filesystem::path, std::filesystem::path>>&);
+  [[noreturn]] void refuse(const MoveFault& fault, bool are_back) const;
 
   std::filesystem::path folder_;
   std::filesystem::path unfinished_;
   bool is_new_;
-  bool holds_others_ = false;  ///< files that must not be removed with `unfinished_`
+  bool is_kept_ = false;  ///< `unfinished_`, where what is in it could not be moved
 };
 
 }  // namespace asterism
