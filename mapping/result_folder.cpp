@@ -110,6 +110,30 @@ std::optional<MoveFault> move_all(const std::vector<Move>& moves) {
   return std::nullopt;
 }
 
+/// Gives each a second name, but folders, and where the disk knows no second names.
+std::error_code link_all(const std::vector<Move>& names) {
+  for (const auto& [from, to] : names) {
+    if (fs::is_directory(fs::symlink_status(from))) continue;
+    std::error_code error;
+    fs::create_directories(to.parent_path(), error);
+    if (!error) fs::create_hard_link(from, to, error);
+    const bool is_known = error != std::errc::operation_not_permitted &&
+                          error != std::errc::operation_not_supported &&
+                          error != std::errc::function_not_supported &&
+                          error != std::errc::too_many_links;
+    if (error && is_known) return error;
+  }
+  return {};
+}
+
+/// Takes second names away again.
+void remove_links(const std::vector<Move>& names) {
+  for (const auto& [from, to] : names) {
+    std::error_code ignored;
+    if (!fs::is_directory(fs::symlink_status(from, ignored))) fs::remove(to, ignored);
+  }
+}
+
 /// Whether the program runs in a folder: the one that started it would find itself in one that is
 /// no more.
 bool holds_working_folder(const fs::path& folder) {
@@ -160,28 +184,50 @@ ResultFolder::~ResultFolder() {
 }
 
 void ResultFolder::finish() {
-  std::error_code ignored;
-  if (unfinished_.parent_path() != folder_) {
-    fs::permissions(unfinished_, fs::status(folder_, ignored).permissions(), ignored);
-    if (change_places(unfinished_, folder_)) {
-      is_kept_ = true;
-      const auto fault = move_all(moves(files_in(unfinished_, false), unfinished_, folder_));
-      if (fault) refuse(*fault, change_places(unfinished_, folder_) && fault->are_back);
-      is_kept_ = false;
-      return;
-    }
-  }
   is_kept_ = true;
+  const bool is_beside = unfinished_.parent_path() != folder_;
+  if (!is_beside || !swap()) move_one_by_one();
+  is_kept_ = false;
+}
+
+/// @return  whether the folders can change places
+bool ResultFolder::swap() {
+  std::error_code ignored;
+  fs::permissions(unfinished_, fs::status(folder_, ignored).permissions(), ignored);
+  // What is not ours gets a second name in the new folder before they do.
+  const std::vector<Move> names = moves(files_in(folder_, false), folder_, unfinished_);
+  if (const std::error_code error = link_all(names)) {
+    remove_links(names);
+    refuse({error}, true);
+  }
+  if (!change_places(unfinished_, folder_)) {
+    remove_links(names);
+    return false;
+  }
+  std::vector<Move> others = moves(files_in(unfinished_, false), unfinished_, folder_);
+  std::erase_if(others, [](const Move& move) {
+    return !fs::is_directory(fs::symlink_status(move.first)) &&
+           fs::exists(fs::symlink_status(move.second));
+  });
+  if (const auto fault = move_all(others)) {
+    const bool are_back = change_places(unfinished_, folder_) && fault->are_back;
+    if (are_back) remove_links(names);
+    refuse(*fault, are_back);
+  }
+  return true;
+}
+
+void ResultFolder::move_one_by_one() {
   const fs::path before = unfinished_ / ".before";
   std::vector<Move> all = moves(files_in(folder_, true), folder_, before);
   std::ranges::copy(moves(files_in(unfinished_, true), unfinished_, folder_),
                     std::back_inserter(all));
   if (const auto fault = move_all(all)) {
     remove_empty_folders(before);
+    std::error_code ignored;
     fs::remove(before, ignored);
     refuse(*fault, fault->are_back);
   }
-  is_kept_ = false;
   remove_empty_folders(folder_);
 }
 

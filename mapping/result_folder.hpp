@@ -32,6 +32,8 @@ class ResultFolder {
   void finish();
 
  private:
+  bool swap();
+  void move_one_by_one();
   [[noreturn]] void refuse(const MoveFault& fault, bool are_back) const;
 
   std::filesystem::path folder_;

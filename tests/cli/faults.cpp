@@ -98,6 +98,9 @@ int fsync(int descriptor) {
 int rename(const char* from, const char* to) noexcept {
   return is_below(to) && fails() ? -1 : NEXT(rename)(from, to);
 }
+int link(const char* from, const char* to) noexcept {
+  return is_below(to) && fails() ? -1 : NEXT(link)(from, to);
+}
 int renameat2(int from_at, const char* from, int to_at, const char* to, unsigned flags) noexcept {
   return is_below(to) && fails() ? -1 : NEXT(renameat2)(from_at, from, to_at, to, flags);
 }

@@ -91,6 +91,28 @@ TEST_CASE("results that cannot be moved one by one leave those of before, and ar
   CHECK(read(folder / ".unfinished" / "log.trace.json") == "new");
 }
 
+TEST_CASE("a folder where a result has to be is left, with all beside it", "[mapping][unit]") {
+  const Folder temporary;
+  const fs::path folder = temporary.file("results");
+  write(folder / "log.trace.json", "old");
+  write(folder / "notes.txt", "mine");
+  write(folder / "report.html" / "mine", "mine");
+  fs::create_symlink("nowhere", folder / "link");
+  for (int again = 0; again < 2; ++again) {
+    ResultFolder results(folder);
+    write(results.unfinished() / "log.trace.json", "new");
+    write(results.unfinished() / "report.html", "new");
+    CHECK_THROWS_AS(results.finish(), Error);
+  }
+  CHECK(read(folder / "log.trace.json") == "old");
+  CHECK(read(folder / "notes.txt") == "mine");
+  CHECK(read(folder / "report.html" / "mine") == "mine");
+  CHECK(fs::is_symlink(folder / "link"));
+  const fs::path unfinished = fs::path(folder) += ".unfinished";
+  CHECK(read(unfinished / "report.html") == "new");
+  CHECK_FALSE(fs::exists(unfinished / "notes.txt"));
+}
+
 TEST_CASE("what an earlier run has kept is not removed, what it left when it was killed is",
           "[mapping][unit]") {
   const Folder temporary;
