@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -62,8 +63,11 @@ std::vector<DrawnModel> draw_models(const Perceived& perceived, std::vector<Rank
   };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::jthread> threads;
-  while (threads.size() + 1 < std::min({models.size(), cores, most_threads}))
-    threads.emplace_back(draw_on);
+  try {
+    while (threads.size() + 1 < std::min({models.size(), cores, most_threads}))
+      threads.emplace_back(draw_on);
+  } catch (const std::system_error&) {  // there may be no more: this one draws the rest
+  }
   draw_on();
   threads.clear();  // which waits for them
   return models;

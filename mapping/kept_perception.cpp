@@ -4,7 +4,10 @@
 
 #include <cstddef>
 #include <span>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/perception_record.hpp"
@@ -13,6 +16,7 @@
 #include "io/json/digest.hpp"
 #include "io/json/perception_file.hpp"
 #include "io/json/trace_file.hpp"
+#include "metric/layout.hpp"
 
 namespace asterism {
 namespace {
@@ -22,6 +26,7 @@ namespace fs = std::filesystem;
 constexpr const char* trace_name = "log.trace.json";
 constexpr const char* map_folder_name = "log.lpm";
 constexpr const char* record_name = "perception.json";
+constexpr const char* told_by = "a trace that was told";
 
 void read_scans(const std::string& log, const LogOptions& laser, const ReadWatch& watch,
                 Perceived& result) {
@@ -47,11 +52,43 @@ void set_poses(const PerceptionRecord& record, Perceived& result) {
     result.poses.push_back({result.scans[i].stamp_s, record.map_from_robot[i]});
 }
 
-void require_same_log(const PerceptionRecord& record, const Perceived& read,
-                      const std::string& file) {
-  if (record.scans_digest != digest(read.scans) ||
-      record.map_from_robot.size() != read.scans.size())
-    throw InputError(file, "what was perceived of another log", "of the log given");
+/// The rest of what a record and the map folder beside it tell of a log and its trace.
+void take_up(const PerceptionRecord& record, const std::string& log, const LogOptions& laser,
+             const fs::path& map_folder, const ReadWatch& watch, Perceived& result) {
+  read_scans(log, laser, watch, result);
+  if (record.scans_digest != digest(result.scans) ||
+      record.map_from_robot.size() != result.scans.size())
+    throw InputError((map_folder / record_name).string(),
+                     "what was perceived of another log, or with other options of the laser",
+                     "of the log given");
+  result.trace.name = stem_of(log);
+  read_place_maps(map_folder, result);
+  set_poses(record, result);
+  result.remarks = record.remarks;
+  result.is_kept = true;
+}
+
+/// What a run left, as far as it can be read.
+struct Kept {
+  PerceptionRecord record;
+  Trace trace;
+};
+
+std::optional<Kept> find_kept(const fs::path& results) try {
+  const fs::path record_file = results / map_folder_name / record_name;
+  std::error_code ignored;
+  if (!fs::exists(record_file, ignored)) return std::nullopt;
+  return Kept{read_perception_file(record_file.string()),
+              read_trace_file((results / trace_name).string())};
+} catch (const InputError&) {
+  return std::nullopt;
+}
+
+bool can_be_laid_out(const Displacement& displacement) try {
+  lay_out(2, std::vector{PlaceDisplacement{PlaceId(0), PlaceId(1), displacement}});
+  return true;
+} catch (const std::invalid_argument&) {
+  return false;
 }
 
 /// Refuses visits that do not say where in the log they were, and how one leads to the next.
@@ -65,6 +102,9 @@ void require_driven(const Trace& trace, std::size_t scans, const std::string& fi
     };
     if (k > 0 && !visit.displacement)
       refuse("displacement", "nothing", "that from the visit before");
+    if (visit.displacement && !can_be_laid_out(*visit.displacement))
+      refuse("displacement", "one that no layout can be made of",
+             "metres and radians within bounds, with a positive definite covariance");
     if (!visit.scans) refuse("scans", "nothing", "the first and the last scan of the visit");
     const auto [first, last] = *visit.scans;
     if (first < earliest || last < first || last >= static_cast<long long>(scans))
@@ -103,41 +143,36 @@ void keep_perceived(const fs::path& results, const Perceived& perceived) {
 std::optional<Perceived> perceived_before(const fs::path& results, const std::string& log,
                                           const LogOptions& laser,
                                           const ScanDetectorOptions& detector,
-                                          const ReadWatch& watch) try {
-  const fs::path map_folder = results / map_folder_name;
-  const std::string record_file = (map_folder / record_name).string();
-  if (!fs::exists(record_file)) return std::nullopt;
-  const PerceptionRecord record = read_perception_file(record_file);
-  Perceived result{.by = name_of(detector)};
-  if (record.perceived_by != result.by) return std::nullopt;
-  result.trace = read_trace_file((results / trace_name).string());
-  if (digest(result.trace) != record.trace_digest) return std::nullopt;
-  read_scans(log, laser, watch, result);
-  require_same_log(record, result, record_file);
-  result.trace.name = stem_of(log);
-  read_place_maps(map_folder, result);
-  set_poses(record, result);
-  result.remarks = record.remarks;
-  result.is_kept = true;
+                                          const ReadWatch& watch) {
+  const std::optional<Kept> kept = find_kept(results);
+  if (!kept) return std::nullopt;
+  // What a person did to the trace is not to be lost without a word.
+  const std::string trace_file = (results / trace_name).string();
+  const bool is_told = kept->record.perceived_by == told_by;
+  if (is_told || digest(kept->trace) != kept->record.trace_digest)
+    throw InputError(trace_file, is_told ? "a trace that was told" : "a trace that was changed",
+                     "--trace with it, copied, or --afresh, which perceives another");
+  Perceived result{.trace = kept->trace, .by = name_of(detector)};
+  if (kept->record.perceived_by != result.by) return std::nullopt;
+  try {
+    take_up(kept->record, log, laser, results / map_folder_name, watch, result);
+  } catch (const InputError&) {
+    return std::nullopt;  // it is perceived again, and a broken log told then
+  }
   return result;
-} catch (const InputError&) {
-  return std::nullopt;  // what cannot be taken up is perceived again, and a broken log told then
 }
 
 Perceived perceived_as_told(const ToldTrace& told, const std::string& log, const LogOptions& laser,
                             const ReadWatch& watch) {
-  const std::string record_file = (fs::path(told.map_folder) / record_name).string();
-  const PerceptionRecord record = read_perception_file(record_file);
-  Perceived result{.trace = read_trace_file(told.file), .by = "a trace that was told"};
-  read_scans(log, laser, watch, result);
-  require_same_log(record, result, record_file);
-  require_visits(result.trace, told.file, result.scans.size());
-  require_driven(result.trace, result.scans.size(), told.file);
-  result.trace.name = stem_of(log);
-  read_place_maps(told.map_folder, result);
-  set_poses(record, result);
-  result.remarks = record.remarks;
-  result.is_kept = true;
+  Perceived result{.trace = read_trace_file(told.file), .by = told_by};
+  const fs::path record_file = fs::path(told.map_folder) / record_name;
+  std::error_code ignored;
+  if (!fs::exists(record_file, ignored))
+    throw InputError(told.map_folder, std::string("no ") + record_name,
+                     "--lpm with the folder log.lpm that a run on this log left");
+  const PerceptionRecord record = read_perception_file(record_file.string());
+  require_driven(result.trace, record.map_from_robot.size(), told.file);
+  take_up(record, log, laser, told.map_folder, watch, result);
   return result;
 }
 

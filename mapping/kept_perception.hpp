@@ -30,7 +30,7 @@ void keep_perceived(const std::filesystem::path& results, const Perceived& perce
 /// What was perceived of a log, taken up from the results of an earlier run.
 /// @return  nothing unless all of it is there, of just this log, by this version with the same
 ///          least width of gateways
-/// @throws InputError if the log cannot be read
+/// @throws InputError if the trace there is a person's: told, or changed since
 std::optional<Perceived> perceived_before(const std::filesystem::path& results,
                                           const std::string& log, const LogOptions& laser,
                                           const ScanDetectorOptions& detector,

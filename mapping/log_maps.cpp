@@ -17,7 +17,8 @@ namespace {
 /// What was told, else what an earlier run perceived, else what is perceived now.
 Perceived perceived_of(const std::string& log, const LogQuestion& asked, const ReadWatch& watch) {
   if (asked.told) return perceived_as_told(*asked.told, log, asked.laser, watch);
-  if (asked.results_before) {
+  // A pipe can be read but once.
+  if (asked.results_before && std::filesystem::is_regular_file(log)) {
     auto kept = perceived_before(*asked.results_before, log, asked.laser, asked.detector, watch);
     if (kept) return *std::move(kept);
   }
@@ -83,6 +84,7 @@ LogMaps map_log(const std::string& file, const LogQuestion& asked, const LogWatc
   maps.models = draw_models(maps.perceived, maps.explained.report.ranked, asked.resolution_m);
   maps.odometry_map = odometry_map(maps.perceived, asked.resolution_m);
   maps.remarks = maps.perceived.remarks;
+  if (asked.told) maps.remarks.push_back("the visits are as told by " + asked.told->file);
   std::ranges::copy(remarks_on_drawings(maps, asked.resolution_m),
                     std::back_inserter(maps.remarks));
   return maps;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -142,16 +143,41 @@ bool holds_working_folder(const fs::path& folder) {
   return error || inside.empty() || *inside.begin() != "..";
 }
 
+/// Whether a file is the half of a result, which was never given its name: see write_atomically.
+bool is_half(const fs::path& file) {
+  constexpr std::string_view ending = ".part";
+  std::string name = file.filename().string();
+  if (!name.ends_with(ending)) return false;
+  name.resize(name.size() - ending.size());
+  const std::size_t dot = name.rfind('.');
+  return dot != std::string::npos && name.find('-', dot) != std::string::npos &&
+         name.find_first_not_of("0123456789-", dot + 1) == std::string::npos &&
+         is_result(file.parent_path() / name.substr(0, dot));
+}
+
+/// Whether two names are of one file.
+bool are_one(const fs::path& one, const fs::path& other) {
+  struct stat a, b;
+  return ::lstat(one.c_str(), &a) == 0 && ::lstat(other.c_str(), &b) == 0 && a.st_dev == b.st_dev &&
+         a.st_ino == b.st_ino;
+}
+
 /// Removes what a run that was killed left, but nothing that it could not move and has kept.
 /// @throws Error if it has
-void remove_left_over(const fs::path& unfinished) {
-  for (const fs::path& file : files_in(unfinished, false))
-    if (file.extension() != ".part")  // half a file, which was never given its name
+void remove_left_over(const fs::path& unfinished, const fs::path& folder) {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(unfinished, error);
+  if (!fs::exists(status)) return;
+  if (!fs::is_directory(status))
+    throw Error(unfinished.string() + ": found no folder; expected one to write to, or none");
+  for (const fs::path& file : files_in(unfinished, false)) {
+    const bool is_file = fs::is_regular_file(fs::symlink_status(unfinished / file, error));
+    if (!(is_file && is_half(file)) && !are_one(unfinished / file, folder / file))
       throw Error(
           fmt::format("{}: found {}, kept by an earlier run that could not move it; "
                       "expected it to be moved away first",
                       unfinished.string(), file.string()));
-  std::error_code error;
+  }
   fs::remove_all(unfinished, error);
 }
 
@@ -167,8 +193,8 @@ ResultFolder::ResultFolder(const fs::path& folder) : is_new_(!exists(folder)) {
   unfinished_ = folder_ / ".unfinished";
   fs::path beside = folder_;
   beside += ".unfinished";
-  remove_left_over(unfinished_);
-  remove_left_over(beside);
+  remove_left_over(unfinished_, folder_);
+  remove_left_over(beside, folder_);
   make_folder(unfinished_);
   if (holds_working_folder(folder_)) return;
   // Made inside and moved out: so it is known to be on the same disk.
@@ -188,6 +214,8 @@ void ResultFolder::finish() {
   const bool is_beside = unfinished_.parent_path() != folder_;
   if (!is_beside || !swap()) move_one_by_one();
   is_kept_ = false;
+  std::error_code ignored;
+  fs::remove_all(unfinished_, ignored);
 }
 
 /// @return  whether the folders can change places
@@ -204,12 +232,8 @@ bool ResultFolder::swap() {
     remove_links(names);
     return false;
   }
-  std::vector<Move> others = moves(files_in(unfinished_, false), unfinished_, folder_);
-  std::erase_if(others, [](const Move& move) {
-    return !fs::is_directory(fs::symlink_status(move.first)) &&
-           fs::exists(fs::symlink_status(move.second));
-  });
-  if (const auto fault = move_all(others)) {
+  // To move a file to its second name does nothing. Where the names are of two, the newer wins.
+  if (const auto fault = move_all(moves(files_in(unfinished_, false), unfinished_, folder_))) {
     const bool are_back = change_places(unfinished_, folder_) && fault->are_back;
     if (are_back) remove_links(names);
     refuse(*fault, are_back);
@@ -226,6 +250,7 @@ void ResultFolder::move_one_by_one() {
     remove_empty_folders(before);
     std::error_code ignored;
     fs::remove(before, ignored);
+    remove_empty_folders(folder_);
     refuse(*fault, fault->are_back);
   }
   remove_empty_folders(folder_);

@@ -12,9 +12,9 @@ namespace asterism {
 ///
 /// Each runs from where the robot was at the first visit to one place to where it was at the first
 /// visit to the other, along one travel, without its loops. Where the trajectory leads over a wall
-/// of the global map or over unknown ground, the line goes round if there is a free way within 2 m.
-/// It is simplified to 0.05 m, but not into a wall. Of several travels the line that crosses less
-/// wall is taken, then the one over less unknown ground, then the smoother: the one that turns
+/// of the global map or over unknown ground, the line goes round if there is a free way within some
+/// 2 m. It is simplified to 0.05 m, but not into a wall. Of several travels the line that crosses
+/// less wall is taken, then the one over less unknown ground, then the smoother: the one that turns
 /// less.
 ///
 /// @param map         of the trace or of its first visits

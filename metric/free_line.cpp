@@ -15,7 +15,7 @@ namespace {
 
 // The odds of 0.65 and of 0.196.
 constexpr float wall_log_odds = 0.61904F;
-constexpr float free_log_odds = -1.41157F;
+constexpr float free_log_odds = -1.41148F;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unknown_cost = 5;  // a detour so many times as long is taken round the unknown

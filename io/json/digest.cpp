@@ -11,7 +11,12 @@ namespace {
 
 class Hash {
  public:
-  void add(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001b3; }
+  void add_byte(std::uint8_t byte) { hash_ = (hash_ ^ byte) * 0x100000001b3; }
+  // Byte by byte: of words multiplied as a whole, two that differ in their signs alone would
+  // cancel.
+  void add(std::uint64_t word) {
+    for (int shift = 0; shift < 64; shift += 8) add_byte(static_cast<std::uint8_t>(word >> shift));
+  }
   void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
   void add(const Pose2& pose) {
     for (const double number : {pose.x_m, pose.y_m, pose.heading_rad}) add(number);
@@ -30,8 +35,7 @@ class Hash {
 
 std::string digest(const Trace& trace) {
   Hash hash;
-  for (const char byte : trace_json(trace))
-    hash.add(std::uint64_t{static_cast<unsigned char>(byte)});
+  for (const char byte : trace_json(trace)) hash.add_byte(static_cast<std::uint8_t>(byte));
   return hash.text();
 }
 

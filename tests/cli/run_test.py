@@ -118,7 +118,14 @@ class Office(unittest.TestCase):
         told, whole = contents(folder), contents(self.folder)
         for file in (told, whole):
             file.pop("log.lpm/perception.json")
+        page = told.pop("report.html").decode()
+        self.assertIn("the visits are as told by ", page)
+        self.assertNotIn("the visits are as told by ", whole.pop("report.html").decode())
         self.assertEqual(told, whole)
+        done, folder = self.again(folder="told")
+        self.assertEqual(done.returncode, 65)
+        self.assertIn("log.trace.json: found a trace that was told; expected --trace", done.stderr)
+        self.assertEqual(contents(folder)["log.trace.json"], told["log.trace.json"])
         edited = self.home / "edited.trace.json"
         visits = json.loads(trace.read_text())
         visits["visits"].pop()

@@ -15,6 +15,7 @@ namespace asterism {
 namespace {
 
 namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
 
 const ReadWatch unwatched = [](const LogReader&, const Perceived&) {};
 
@@ -83,7 +84,7 @@ TEST_CASE("what was perceived is taken up as it was, or not at all", "[mapping][
     Trace trace = read_trace_file((results / "log.trace.json").string());
     trace.visits[1].gateways.clear();
     write_trace_file((results / "log.trace.json").string(), trace);
-    CHECK_FALSE(before(results));
+    CHECK_THROWS_WITH(before(results), Contains("found a trace that was changed"));
   }
   SECTION("damaged") {
     const auto [file, text] =
@@ -129,7 +130,7 @@ TEST_CASE("a trace that is told takes the place of the one perceived", "[mapping
     const fs::path corrected = folder.file("corrected");
     fs::create_directory(corrected);
     keep_perceived(corrected, perceived);
-    CHECK_FALSE(before(corrected));
+    CHECK_THROWS_WITH(before(corrected), Contains("found a trace that was told"));
   }
   SECTION("a visit without a place map") {
     trace.visits[1].lpm.reset();
@@ -139,6 +140,11 @@ TEST_CASE("a trace that is told takes the place of the one perceived", "[mapping
     trace.visits[2].displacement.reset();
     CHECK(refused() ==
           ":/visits/2/displacement: found nothing; expected that from the visit before");
+  }
+  SECTION("a displacement that is known without error") {
+    trace.visits[2].displacement->covariance = {};
+    CHECK(
+        refused().starts_with(":/visits/2/displacement: found one that no layout can be made of"));
   }
   SECTION("no scans") {
     trace.visits[0].scans.reset();
@@ -150,6 +156,14 @@ TEST_CASE("a trace that is told takes the place of the one perceived", "[mapping
     CHECK(refused().starts_with(":/visits/3/scans: found "));
     trace.visits[3].scans = trace.visits[0].scans;
     CHECK(refused().starts_with(":/visits/3/scans: found "));
+  }
+  SECTION("no map folder") {
+    const std::string file = (results / "log.trace.json").string();
+    CHECK_THROWS_WITH(perceived_as_told({file, folder.file("none")}, log_of_drive(), {}, unwatched),
+                      Contains("found no perception.json; expected --lpm"));
+    CHECK_THROWS_WITH(perceived_as_told({folder.file("none.trace.json"), folder.file("none")},
+                                        log_of_drive(), {}, unwatched),
+                      Contains("none.trace.json: found no such file"));
   }
   SECTION("a place map that is not there") {
     trace.visits[1].lpm = "log.lpm/visit-77.json";

@@ -122,12 +122,25 @@ TEST_CASE("what an earlier run has kept is not removed, what it left when it was
     write(unfinished / "report.html.123-0.part", "half");
     { const ResultFolder results(folder); }
     CHECK_FALSE(fs::exists(unfinished));
-    for (const char* kept : {".before/maps.json", "notes.txt", "model-2/notes.txt"}) {
+    // A second name of what is in the folder is no loss.
+    write(folder / "notes.txt", "mine");
+    fs::create_directory(unfinished);
+    fs::create_hard_link(folder / "notes.txt", unfinished / "notes.txt");
+    { const ResultFolder results(folder); }
+    CHECK_FALSE(fs::exists(unfinished));
+    CHECK(read(folder / "notes.txt") == "mine");
+    fs::remove(folder / "notes.txt");
+    for (const char* kept : {".before/maps.json", "notes.txt", "model-2/notes.txt", "film.part",
+                             "notes.txt.12-0.part", "photos.part/one.png"}) {
       write(unfinished / kept, "mine");
       CHECK_THROWS_AS(ResultFolder(folder), Error);
       CHECK(read(unfinished / kept) == "mine");
       fs::remove_all(unfinished);
     }
+    write(unfinished, "no folder");
+    CHECK_THROWS_AS(ResultFolder(folder), Error);
+    CHECK(read(unfinished) == "no folder");
+    fs::remove(unfinished);
   }
 }
 

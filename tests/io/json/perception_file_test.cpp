@@ -58,6 +58,7 @@ TEST_CASE("a digest of scans tells all that they tell", "[io]") {
   CHECK(changed([](auto& s) { s[0].ranges_m[1] = 3; }));
   CHECK(changed([](auto& s) { s[0].laser.max_range_m = 9; }));
   CHECK(changed([](auto& s) { s[0].laser.robot_from_laser.x_m = 1; }));
+  CHECK(changed([](auto& s) { s[0].odom_from_robot = {1, -2, -3}; }));
   CHECK(changed([](auto& s) { s.pop_back(); }));
   CHECK(changed([](auto& s) { std::swap(s[0], s[1]); }));
 }
