@@ -6,6 +6,7 @@
 #include <functional>
 #include <iterator>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "mapping/axiom_source.hpp"
@@ -18,7 +19,8 @@ namespace {
 Perceived perceived_of(const std::string& log, const LogQuestion& asked, const ReadWatch& watch) {
   if (asked.told) return perceived_as_told(*asked.told, log, asked.laser, watch);
   // A pipe can be read but once.
-  if (asked.results_before && std::filesystem::is_regular_file(log)) {
+  std::error_code ignored;
+  if (asked.results_before && std::filesystem::is_regular_file(log, ignored)) {
     auto kept = perceived_before(*asked.results_before, log, asked.laser, asked.detector, watch);
     if (kept) return *std::move(kept);
   }

@@ -118,11 +118,11 @@ std::error_code link_all(const std::vector<Move>& names) {
     std::error_code error;
     fs::create_directories(to.parent_path(), error);
     if (!error) fs::create_hard_link(from, to, error);
-    const bool is_known = error != std::errc::operation_not_permitted &&
+    const bool can_link = error != std::errc::operation_not_permitted &&
                           error != std::errc::operation_not_supported &&
                           error != std::errc::function_not_supported &&
                           error != std::errc::too_many_links;
-    if (error && is_known) return error;
+    if (error && can_link) return error;
   }
   return {};
 }

@@ -123,7 +123,7 @@ int run(RunCommand command) {
   LogMaps maps = map_log(command.log, command.asked, telling.watch());
   const bool is_complete = maps.explained.report.complete;
   const std::string fault = maps.models.empty() ? "" : maps.models.front().fault;
-  const std::size_t told = maps.perceived.remarks.size();
+  const std::size_t remarks_told = maps.perceived.remarks.size();
   const RunReport report = write_log_files(results.unfinished(), std::move(maps));
   results.finish();
   telling.stage_is_over("draw");
@@ -132,7 +132,7 @@ int run(RunCommand command) {
     throw Error(command.folder + ": found " + fault +
                 "; expected to draw rank 1; all else is there");
   telling.tell(ranking_text(report));
-  telling.tell_remarks(std::span(report.remarks).subspan(told));
+  telling.tell_remarks(std::span(report.remarks).subspan(remarks_told));
   if (command.json)
     fmt::print("{}", run_summary_json(report, is_complete));
   else
