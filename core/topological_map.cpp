@@ -95,6 +95,15 @@ TopologicalMap make_map(const Trace& trace, std::span<const Arrival> arrivals) {
   return map;
 }
 
+std::vector<std::array<std::size_t, 2>> pieces_of(const TopologicalMap& map) {
+  std::vector<std::array<std::size_t, 2>> result;
+  for (std::size_t k = 0; k < map.visits.size(); ++k) {
+    if (k == 0 || !map.left[k - 1]) result.push_back({k, k});
+    result.back()[1] = k;
+  }
+  return result;
+}
+
 std::vector<Arrival> arrivals(const TopologicalMap& map) {
   std::vector<Arrival> result;
   for (std::size_t k = 0; k < map.visits.size(); ++k)

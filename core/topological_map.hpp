@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <optional>
@@ -29,6 +30,8 @@ struct Arrival {
 };
 
 /// One explanation of a trace, written out: places, paths, segments.               [theory §9]
+/// Of a trace that is cut it is in pieces, with no place in two: at a cut there is no arm left by,
+/// and none entered by.
 struct TopologicalMap {
   /// One place: its star as listed at its first visit.
   struct Place {
@@ -59,6 +62,9 @@ struct TopologicalMap {
 /// @pre  places are numbered by first visit: each is at most one more than the largest before it
 /// @throws std::invalid_argument otherwise
 TopologicalMap make_map(const Trace& trace, std::span<const Arrival> arrivals);
+
+/// The visits of each piece of a map, by how they were travelled: first and last of each.
+std::vector<std::array<std::size_t, 2>> pieces_of(const TopologicalMap& map);
 
 /// The data association a map was made from.
 std::vector<Arrival> arrivals(const TopologicalMap& map);

@@ -32,6 +32,19 @@ void require_valid(const Trace& trace) {
   }
 }
 
+Trace part_of(const Trace& trace, std::size_t first, std::size_t last) {
+  const auto visits = std::span(trace.visits).subspan(first, last - first);
+  return {trace.name, {visits.begin(), visits.end()}, trace.extensions};
+}
+
+Trace cut(Trace trace, std::span<const std::size_t> before) {
+  for (const std::size_t visit : before) {
+    trace.visits[visit - 1].left_by.reset();
+    trace.visits[visit].entered_by.reset();
+  }
+  return trace;
+}
+
 Trace reversed(const Trace& trace) {
   Trace result;
   result.name = trace.name;

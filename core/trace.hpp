@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,7 +70,7 @@ struct Visit {
 /// The sequence of visits.
 ///
 /// Readers guarantee: at least one visit; entered_by in all but the first; left_by in all but the
-/// last; these arms have gateways.
+/// last; these arms have gateways. Where a trace is cut, arms are absent, too: see cut().
 struct Trace {
   std::string name;
   std::vector<Visit> visits;
@@ -80,6 +81,14 @@ struct Trace {
 /// @throws std::invalid_argument "/visits/3/left_by: found ...; expected ..." if a guarantee does
 ///         not hold
 void require_valid(const Trace& trace);
+
+/// Visits `first` to before `last`, as a trace of its own.
+/// @pre  first < last <= number of visits
+Trace part_of(const Trace& trace, std::size_t first, std::size_t last);
+
+/// The trace in pieces: none of these visits is known to be travelled to from the one before. Both
+/// lose the arms of that travel; its displacement stays.
+Trace cut(Trace trace, std::span<const std::size_t> before);
 
 /// A drive walked backwards: visits in reverse order, entered and left swapped. Measured
 /// extras are dropped, since they belong to the forward drive.

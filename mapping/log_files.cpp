@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/plane_drawing.hpp"
-#include "drawing/quarter_turns.hpp"
+#include "drawing/laid_out_drawing.hpp"
 #include "io/atomic_file.hpp"
 #include "io/json/maps_file.hpp"
 #include "io/picture/map_svg.hpp"
@@ -23,7 +22,7 @@ namespace {
 MapDrawing drawn_as_laid_out(const RankedMap& ranked) {
   std::vector<MapDrawing::Point> places;
   for (const Pose2& pose : ranked.layout.layout_from_place) places.push_back({pose.x_m, pose.y_m});
-  return turned(draw(ranked.map), places);
+  return draw_as_laid_out(ranked.map, places);
 }
 
 }  // namespace

@@ -39,14 +39,27 @@ ExplainedTrace find_maps(const LogQuestion& asked, const Trace& trace, const The
   return explain_trace(trace, theory, options, asked.only_minimal, watch);
 }
 
+/// @pre  there is one
+TopologicalMap first_map(const MapList& list) {
+  std::optional<TopologicalMap> map;
+  list.for_each_while([&](std::span<const Arrival> arrivals) {
+    map = make_map(list.trace, arrivals);
+    return false;
+  });
+  return *std::move(map);
+}
+
 /// The explained trace with its maps ranked, and with the reason why no more of it is explained.
 ExplainedTrace ranked(ExplainedTrace explained, const LogQuestion& asked,
                       const Perceived& perceived) {
   MapReport& report = explained.report;
-  report.ranked = rank(explained.maps, perceived.place_maps, asked.ranking);
+  report.ranked =
+      explained.parts.empty()
+          ? rank(explained.maps, perceived.place_maps, asked.ranking)
+          : rank_in_pieces(perceived.trace, explained.parts, perceived.place_maps, asked.ranking);
   if (report.explained_visits && explained.why.empty())
     explained.why =
-        why_no_more(perceived.trace, report.ranked.front().map, explained.maps.theory());
+        why_no_more(perceived.trace, first_map(explained.maps.minimal()), explained.maps.theory());
   return explained;
 }
 
@@ -120,6 +133,39 @@ std::vector<RankedMap> rank(const TraceMaps& maps,
       return arrivals(other.map) == arrivals(minimal.map);
     };
     if (std::ranges::none_of(result, is_same)) result.push_back(std::move(minimal));
+  }
+  return result;
+}
+
+std::vector<RankedMap> rank_in_pieces(const Trace& trace, std::span<const TraceMaps> parts,
+                                      const std::vector<std::optional<Grid>>& place_maps,
+                                      const RankingOptions& options) {
+  std::vector<std::vector<RankedMap>> of_parts;
+  std::vector<std::size_t> ends;
+  std::size_t most = 0;
+  for (const TraceMaps& part : parts) {
+    const std::size_t first = ends.empty() ? 0 : ends.back();
+    ends.push_back(first + part.steps());
+    const auto own = std::span(place_maps).subspan(std::min(first, place_maps.size()));
+    of_parts.push_back(rank(part, {own.begin(), own.end()}, options));
+    most = std::max(most, of_parts.back().size());
+  }
+  const Trace in_pieces = cut(trace, std::span(ends).first(ends.size() - 1));
+  PlaceAlignments alignments(in_pieces, place_maps);
+  std::vector<RankedMap> result;
+  for (std::size_t i = 0; i < most; ++i) {
+    std::vector<Arrival> joined;
+    std::size_t places = 0;
+    for (const auto& ranked : of_parts) {
+      const TopologicalMap& map = ranked[std::min(i, ranked.size() - 1)].map;
+      for (std::size_t k = 0; k < map.visits.size(); ++k)
+        joined.push_back({PlaceId(places + map.visits[k].index()),
+                          k == 0 && places > 0 ? std::nullopt : map.entered[k]});
+      places += map.places.size();
+    }
+    Ranking whole(in_pieces, std::ref(alignments), options);
+    whole.add([&](const auto& f) { f(joined); });
+    result.push_back(std::move(whole.best().front()));
   }
   return result;
 }

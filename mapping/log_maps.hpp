@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -73,5 +74,15 @@ LogMaps map_log(const std::string& file, const LogQuestion& asked = {}, const Lo
 std::vector<RankedMap> rank(const TraceMaps& maps,
                             const std::vector<std::optional<Grid>>& place_maps,
                             const RankingOptions& options = {});
+
+/// Maps of a trace that is cut into parts, each in as many pieces: first the best of each part,
+/// then the second best of each, and so on; the last again where a part has no more. They are laid
+/// out in one frame, by what was travelled between the parts. A place that is in two parts is two
+/// here, so that a map in pieces is seldom plausible.
+/// @param parts  the maps of each, in order
+/// @pre   each has a map
+std::vector<RankedMap> rank_in_pieces(const Trace& trace, std::span<const TraceMaps> parts,
+                                      const std::vector<std::optional<Grid>>& place_maps,
+                                      const RankingOptions& options = {});
 
 }  // namespace asterism

@@ -50,7 +50,8 @@ class Ways {
   DrivenWays result() const {
     std::map<TopologicalMap::Segment, Line> best;
     for (std::size_t k = 0; k + 1 < map_.visits.size(); ++k) {
-      const PlaceArm out{map_.visits[k], map_.left[k].value()};
+      if (!map_.left[k]) continue;  // where a trace is cut, no segment was driven
+      const PlaceArm out{map_.visits[k], *map_.left[k]};
       const PlaceArm in{map_.visits[k + 1], map_.entered[k + 1].value()};
       Line line = driven(k);
       if (in < out) std::ranges::reverse(line);

@@ -18,6 +18,7 @@
 #include "cli/text/run_text.hpp"
 #include "core/error.hpp"
 #include "io/json/summary_json.hpp"
+#include "io/picture/report_text.hpp"
 #include "mapping/log_files.hpp"
 #include "mapping/log_maps.hpp"
 #include "mapping/result_folder.hpp"
@@ -97,7 +98,9 @@ class Telling {
     const MapReport& report = explained.report;
     if (!report.explained_visits) return;
     if (report.complete) tell(explained.why + '\n');
-    if (!report.ranked.empty())
+    if (!explained.parts.empty())
+      tell(fmt::format("ranked: maps in {}\n", pieces_text(report.ranked.front().map)));
+    else if (!report.ranked.empty())
       tell(fmt::format("ranked: maps of the visits up to {}; later ones are drawn as measured\n",
                        *report.explained_visits - 1));
   }
@@ -215,8 +218,8 @@ draws the best: DIR/report.html shows it all; DIR/log.trace.json, maps.json; of 
 trajectory.tum, map.pgm, map.yaml, map.png, layout.g2o, map.graphml, map.dot, routes.geojson and
 routes.osm, of the others the same in model-2, model-3 ... What an earlier run left there is
 replaced; what it perceived of the same log is taken up, so that another question takes seconds.
-Exit code: 0 a map explains the trace, 1 none does and the best of the longest part that one explains
-is drawn, 2 a limit ended the run, 64 usage, 65 bad input or no place in it, 70 internal fault or a
+Exit code: 0 a map explains the trace, 1 none does: it is cut as few times as can be, and the best
+maps of the parts are drawn in one frame; 2 a limit ended the run, 64 usage, 65 bad input or no place in it, 70 internal fault or a
 result that cannot be written.)");
 }
 

@@ -41,12 +41,14 @@ std::vector<PlaceId> read_visits(const JsonNode& node, const JsonNode& places_no
   return result;
 }
 
-/// Arms of the visits' places, all with gateways; null at most at visit `may_be_absent`.
-Arms read_arms(const JsonNode& node, const TopologicalMap& map, std::size_t may_be_absent) {
+/// Arms of the visits' places, all with gateways.
+/// @param may_be_absent  at this visit one may be null; everywhere, if this is nothing
+Arms read_arms(const JsonNode& node, const TopologicalMap& map,
+               std::optional<std::size_t> may_be_absent) {
   Arms result;
   const auto items = node.items(map.visits.size(), "arms, one a visit");
   for (std::size_t k = 0; k < items.size(); ++k) {
-    if (k == may_be_absent && items[k].is_null()) {
+    if (may_be_absent.value_or(k) == k && items[k].is_null()) {
       result.push_back(std::nullopt);
       continue;
     }
@@ -68,8 +70,13 @@ void require_matching(const TopologicalMap& map, const JsonNode& entered, const 
                                  "one to " + json_of(known->second) + " as before");
   };
   for (std::size_t k = 0; k + 1 < map.visits.size(); ++k) {
-    const PlaceArm from{map.visits[k], map.left[k].value()};
-    const PlaceArm to{map.visits[k + 1], map.entered[k + 1].value()};
+    if (map.left[k].has_value() != map.entered[k + 1].has_value())
+      (map.left[k] ? entered : left)
+          .items()[k + (map.left[k] ? 1 : 0)]
+          .refuse("null", "an arm, or null for the other end of the travel, too");
+    if (!map.left[k]) continue;  // it is cut there
+    const PlaceArm from{map.visits[k], *map.left[k]};
+    const PlaceArm to{map.visits[k + 1], *map.entered[k + 1]};
     join(from, to, entered, k + 1);
     join(to, from, left, k);
   }
@@ -132,15 +139,18 @@ void write_map(JsonWriter& json, const TopologicalMap& map) {
 
 TopologicalMap read_map(const JsonNode& node) {
   node.require_keys({"visits", "entered", "left", "places", "paths", "segments"});
-  return read_map_parts(node);
+  return read_map_parts(node, false);
 }
 
-TopologicalMap read_map_parts(const JsonNode& node) {
+TopologicalMap read_map_parts(const JsonNode& node, bool may_be_in_pieces) {
   TopologicalMap map;
   map.places = read_places(node["places"]);
   map.visits = read_visits(node["visits"], node["places"], map.places);
-  map.entered = read_arms(node["entered"], map, 0);
-  map.left = read_arms(node["left"], map, map.visits.size() - 1);
+  const auto absent_at = [&](std::size_t visit) {
+    return may_be_in_pieces ? std::nullopt : std::optional(visit);
+  };
+  map.entered = read_arms(node["entered"], map, absent_at(0));
+  map.left = read_arms(node["left"], map, absent_at(map.visits.size() - 1));
   require_matching(map, node["entered"], node["left"]);
 
   map = make_map(trace_of(map), arrivals(map));

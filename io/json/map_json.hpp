@@ -33,7 +33,9 @@ void write_map_parts(JsonWriter& json, const TopologicalMap& map);
 TopologicalMap read_map(const JsonNode& node);
 
 /// Reads the members of a map from an object that may have other keys too, and checks what read_map
-/// does.  @throws InputError
-TopologicalMap read_map_parts(const JsonNode& node);
+/// does.
+/// @param may_be_in_pieces  a travel may lack both its arms: the trace was cut there
+/// @throws InputError
+TopologicalMap read_map_parts(const JsonNode& node, bool may_be_in_pieces);
 
 }  // namespace asterism

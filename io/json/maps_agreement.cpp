@@ -100,11 +100,24 @@ void require_unexplained(const JsonNode& root, const MapReport& report) {
     node.refuse("the number of visits before per_visit is 0");
 }
 
-/// The maps ranked explain what there is to be explained, and are not more than there are.
+/// The maps ranked explain what there is to be explained, and are not more than there are. In
+/// pieces they are of a trace that no map explains whole, and all cut alike.
 void require_ranked(const JsonNode& root, const MapReport& report) {
-  std::size_t visits = report.ranked.front().map.visits.size();
+  const TopologicalMap& first = report.ranked.front().map;
+  std::size_t visits = first.visits.size();
   std::optional<std::uint64_t> consistent = report.consistent;
-  if (report.explained_visits) {
+  const auto cut = pieces_of(first);
+  for (std::size_t i = 0; i < report.ranked.size(); ++i)
+    if (pieces_of(report.ranked[i].map) != cut)
+      root["ranked"].items()[i]["left"].refuse("null at other visits than in the first map",
+                                               "all maps cut alike");
+  if (cut.size() > 1) {
+    if (!report.explained_visits || !report.complete)
+      root["ranked"].items()[0]["left"].refuse("null before the last visit",
+                                               "it only where no map explains the trace");
+    consistent.reset();
+    if (report.per_visit) visits = report.per_visit->size();
+  } else if (report.explained_visits) {
     visits = *report.explained_visits;
     consistent.reset();
     if (report.per_visit) consistent = (*report.per_visit)[visits - 1];

@@ -146,7 +146,7 @@ RankedMap read_ranked_map(const JsonNode& node) {
   node.require_keys({"visits", "entered", "left", "places", "paths", "segments", "plausible",
                      "tail_probability", "chi_squared", "degrees_of_freedom", "log_likelihood",
                      "layout", "displacements", "alignments", "shared_spots"});
-  RankedMap ranked{read_map_parts(node)};
+  RankedMap ranked{read_map_parts(node, true)};
   ranked.is_plausible = node["plausible"].boolean();
   ranked.misfit = read_misfit(node);
   ranked.log_likelihood = node["log_likelihood"].number();

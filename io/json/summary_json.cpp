@@ -47,6 +47,8 @@ std::string run_summary_json(const RunReport& report, bool complete) {
     if (!report.theory.assumptions.empty())
       write_assumptions(json.line(), report.theory.assumptions);
     if (report.unexplained) json.line().member("why", report.unexplained->why);
+    if (report.unexplained && !report.models.empty())
+      json.line().member("parts", pieces_of(report.models.front().ranked.map));
     if (!report.remarks.empty()) json.line().member("remarks", report.remarks);
     json.line().key("models").array([&] {
       for (const RunReport::Model& model : report.models) write_model(json.line(), model);

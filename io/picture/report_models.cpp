@@ -27,6 +27,10 @@ std::pair<std::size_t, std::size_t> size_of(const TopologicalMap& map) {
   return {map.paths.size(), map.places.size()};
 }
 
+bool is_in_pieces(const RunReport& report) {
+  return !report.models.empty() && pieces_of(report.models.front().ranked.map).size() > 1;
+}
+
 /// How many maps there are, and of what.
 std::string counts_clause(const RunReport& report) {
   const std::string visits = counted(report.trace.visits.size(), "visit");
@@ -37,9 +41,14 @@ std::string counts_clause(const RunReport& report) {
                        report.unexplained->why.empty() ? "" : "; " + report.unexplained->why);
   }
   if (report.unexplained) {
-    return fmt::format("No {}map explains all {}: the first {} can be explained, the next cannot{}",
-                       kind, visits, count_text(report.unexplained->visits),
-                       report.unexplained->why.empty() ? "" : ", " + report.unexplained->why);
+    std::string text =
+        fmt::format("No {}map explains all {}: the first {} can be explained, the next cannot{}",
+                    kind, visits, count_text(report.unexplained->visits),
+                    report.unexplained->why.empty() ? "" : ", " + report.unexplained->why);
+    if (is_in_pieces(report))
+      text += "; cut as few times as can be, the trace is explained in " +
+              pieces_text(report.models.front().ranked.map);
+    return text;
   }
   if (!report.consistent) return "The maps of " + visits + " were not all counted";
   const std::string explain = *report.consistent == 1 ? "explains" : "explain";

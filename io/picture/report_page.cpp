@@ -63,7 +63,14 @@ std::string header(const RunReport& report) {
     text +=
         "<p class=\"note\">Minimal models are the simplest maps that explain the trace; certified "
         "means that the solver has proved that none is simpler. Simplest is not yet true.</p>\n";
-  if (report.unexplained && !report.models.empty()) {
+  if (report.models.empty()) {
+    // There is nothing whose reach has to be told.
+  } else if (const TopologicalMap& map = report.models.front().ranked.map;
+             pieces_of(map).size() > 1) {
+    text += "<p class=\"warning\">The models are in " + pieces_text(map) +
+            ": each is a map for itself, and lies as was measured on the way from the one before. "
+            "A place of the building may be in several pieces.</p>\n";
+  } else if (report.unexplained) {
     text += fmt::format(
         "<p class=\"warning\">The models explain the first {} of {} only; what was driven after "
         "them is appended as measured on the way.</p>\n",

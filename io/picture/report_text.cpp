@@ -85,6 +85,18 @@ std::string ought_to_be_one_text(const TopologicalMap& map, const SharedSpot& sp
   return visits_to(spot.one) + " and " + visits_to(spot.other) + " ought to be one place";
 }
 
+std::string pieces_text(const TopologicalMap& map) {
+  const auto pieces = pieces_of(map);
+  std::string text = counted(pieces.size(), "piece");
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto [first, last] = pieces[i];
+    text += i == 0 || i + 1 < pieces.size() ? ", of " : " and of ";
+    text += first == last ? fmt::format("visit {}", first)
+                          : fmt::format("visits {} to {}", first, last);
+  }
+  return text;
+}
+
 std::string pose_text(const Pose2& pose) {
   return fmt::format("{}, {} m, {}°", decimals(pose.x_m, 2), decimals(pose.y_m, 2),
                      decimals(pose.heading_rad * 180 / std::numbers::pi, 1));

@@ -25,6 +25,8 @@ std::string times_text(double logarithm);
 std::string shared_spot_text(const SharedSpot& spot);
 /// "visits 1, 6 and visit 5 ought to be one place"
 std::string ought_to_be_one_text(const TopologicalMap& map, const SharedSpot& spot);
+/// "2 pieces, of visit 0 and of visits 1 to 17"
+std::string pieces_text(const TopologicalMap& map);
 /// "4.07, −17.20 m, −103.1°"
 std::string pose_text(const Pose2& pose);
 /// "22 min 45 s"

@@ -276,7 +276,7 @@ class Office(unittest.TestCase):
 
 
 class NoMap(Folder):
-    def test_the_longest_part_that_a_map_explains_is_drawn(self):
+    def test_the_parts_that_maps_explain_are_drawn(self):
         # Two drives through two buildings as if they were one: the first robot ends on its way
         # back to a dead end, where the second sees a junction.
         first, second = drive(self.folder, 4), drive(self.folder, 1)
@@ -293,11 +293,17 @@ class NoMap(Folder):
         self.assertEqual((maps["complete"], maps["consistent"], maps["minimal"]), (True, 0, None))
         self.assertEqual(maps["per_visit"].index(0), explained)
         self.assertIn(f"none is left after visit {explained}\nvisit {explained} came by", done.stdout)
-        self.assertIn(f"visits up to {explained - 1}; later ones are drawn as measured", done.stdout)
+        # It is cut where the one drive ends: no segment leads on, and no place is in both parts.
+        visits = len(maps["per_visit"])
+        self.assertIn(f"ranked: maps in 2 pieces, of visits 0 to {explained - 1} and of visits "
+                      f"{explained} to {visits - 1}\n", done.stdout)
         for ranked in maps["ranked"]:
-            self.assertEqual(len(ranked["visits"]), explained)
-        self.assertIn(f"The models explain the first {explained} of ",
-                      (out / "report.html").read_text())
+            self.assertEqual(len(ranked["visits"]), visits)
+            self.assertEqual(ranked["visits"][explained], max(ranked["visits"][:explained]) + 1)
+            self.assertEqual((ranked["left"][explained - 1], ranked["entered"][explained]),
+                             (None, None))
+        self.assertIn("The models are in 2 pieces", (out / "report.html").read_text())
+        self.assertEqual(run("validate", out / "maps.json").returncode, 0)
         # The trajectory goes on to the end of the log all the same.
         poses = [line for line in (out / "trajectory.tum").read_text().splitlines()
                  if not line.startswith("#")]
@@ -305,12 +311,14 @@ class NoMap(Folder):
         done = run("run", log, "-o", out, "--json")
         self.assertEqual(json.loads(done.stdout)["explained_visits"], explained)
         self.assertIn(f"visit {explained} came by", json.loads(done.stdout)["why"])
+        self.assertEqual(json.loads(done.stdout)["parts"],
+                         [[0, explained - 1], [explained, visits - 1]])
         done = run("run", log, "-o", self.folder / "searched", "--rank", "minimal")
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn(f"none is left after visit {explained}\nvisit {explained} came by", done.stdout)
         searched = json.loads((self.folder / "searched/maps.json").read_text())
         self.assertEqual((searched["consistent"], searched["explained"]), (0, explained))
-        self.assertEqual({len(ranked["visits"]) for ranked in searched["ranked"]}, {explained})
+        self.assertEqual({len(ranked["visits"]) for ranked in searched["ranked"]}, {visits})
 
 
 class Readme(Folder):

@@ -53,8 +53,8 @@ TEST_CASE("a visit that came by a known way, and saw another star there, is told
       std::vector<Arrival>{{PlaceId(0), std::nullopt}, {PlaceId(1), trace.visits[1].entered_by}});
   const std::string why = why_no_more(trace, map, {});
   CHECK(
-      why.starts_with("visit 2 came by the way from place 1 to place 0, in by arm a+, where "
-                      "visit 0 saw a+1 b+1 a-1 b-0; it saw c+0 d+1 c-1 d-0, in by arm c-"));
+      why.starts_with("visit 2 came by the known way from the place of visit 1 to that of visit 0, "
+                      "in by arm a+ of a+1 b+1 a-1 b-0; it saw c+0 d+1 c-1 d-0, in by arm c-"));
 }
 
 TEST_CASE("a trace that could not be explained in time says what was stopped", "[mapping][unit]") {

@@ -33,12 +33,14 @@ TEST_CASE("the summary of a run tells each model in two lines", "[io]") {
   report.unexplained = {1, "the next is not"};
   RunReport::Model model;
   model.ranked.map.visits = {PlaceId(0), PlaceId(1)};
+  model.ranked.map.left = {std::nullopt, std::nullopt};
   model.ranked.log_likelihood = -1.5;
   report.models = {model, model};
   CHECK(run_summary_json(report, false) == R"json({
   "scans": 7, "visits": 1, "explained_visits": 1, "consistent": 2, "complete": false,
   "assumptions": ["same(0, 1)"],
   "why": "the next is not",
+  "parts": [[0, 0], [1, 1]],
   "models": [
     { "plausible": true, "paths": 0, "places": 0, "chi_squared": 0, "degrees_of_freedom": 0, "tail_probability": 1, "log_likelihood": -1.5,
       "visits": [0, 1] },
